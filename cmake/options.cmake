@@ -1,0 +1,31 @@
+# Flags that decide the bits of a result travel with the engine (sudar_numerics); warnings do not.
+add_library(sudar_numerics INTERFACE)
+target_compile_features(sudar_numerics INTERFACE cxx_std_20)
+# No contraction to fused multiply-add: with it the bits differ between compilers and processors.
+target_compile_options(sudar_numerics INTERFACE -ffp-contract=off)
+if(SUDAR_DOUBLE)
+  target_compile_definitions(sudar_numerics INTERFACE SUDAR_DOUBLE)
+endif()
+if(SUDAR_SANITIZE)
+  target_compile_options(sudar_numerics INTERFACE -fsanitize=${SUDAR_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(sudar_numerics INTERFACE -fsanitize=${SUDAR_SANITIZE})
+endif()
+
+add_library(sudar_warnings INTERFACE)
+target_compile_options(sudar_warnings INTERFACE -Wall -Wextra -Wconversion -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # Interposition is never wanted, and forbids inlining inside a shared library. (clang does not honour it anyway.)
+  target_compile_options(sudar_warnings INTERFACE -fno-semantic-interposition)
+endif()
+
+# Outside src/ and include/ a user may write 0.8 for a Real.
+add_library(sudar_user_warnings INTERFACE)
+target_link_libraries(sudar_user_warnings INTERFACE sudar_warnings)
+target_compile_options(sudar_user_warnings INTERFACE
+  $<IF:$<CXX_COMPILER_ID:GNU>,-Wno-float-conversion,-Wno-implicit-float-conversion>)
+
+# sudar_folder(FILE…): the files of one folder of the engine, in the order in which they may include each other.
+function(sudar_folder)
+  list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  target_sources(sudar PRIVATE ${ARGN})
+endfunction()

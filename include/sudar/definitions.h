@@ -1,0 +1,332 @@
+// What a world is made of, as plain data: bodies, joints, forces, sensors, settings. Aggregates with useful defaults:
+//   BodyDef{.shape = sphere(0.5), .at = {0, 4, 0}, .material = {.restitution = 0.8}}
+// SI units, radians. Each aggregate is described once, by describe(), below it: that one list makes the errors that name
+// a field, the recordings, the command line's --config and the inspector.
+#pragma once
+
+#include <sudar/shape.h>
+
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <variant>
+
+namespace sudar::inline SUDAR_PRECISION {
+
+// T is U or const U: lets one describe() serve readers and writers.
+template <class T, class U>
+concept Like = std::is_same_v<std::remove_const_t<T>, U>;
+
+// What a described number may be. `above` excludes the lower end.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  bool above = false;
+};
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+inline constexpr Range any{};  // any finite number
+inline constexpr Range positive{0, infinite, true};
+inline constexpr Range not_negative{0, infinite};
+inline constexpr Range fraction{0, 1};
+struct UnitLength {};  // a direction: must have length 1 within 1e-3
+inline constexpr UnitLength unit_length{};
+struct OrInfinite {};  // not negative, and infinity is allowed: no limit
+inline constexpr OrInfinite or_infinite{};
+
+// --- bodies ---
+
+enum class Motion : std::uint8_t {
+  dynamic,    // moved by forces and impulses
+  kinematic,  // moves with its velocity and spin, whatever it meets
+  fixed,      // never moves
+};
+constexpr const char* const* names(Motion) { static constexpr const char* n[] = {"dynamic", "kinematic", "fixed", nullptr}; return n; }
+
+struct Material {
+  Real friction_static = Real(0.6);   // Coulomb, largest tangential / normal force without slip
+  Real friction_dynamic = Real(0.6);  // the same while slipping
+  Real restitution = 0;               // relative normal speed after / before an impact
+};
+template <class V, Like<Material> T>
+void describe(V& v, T& d) {
+  v("friction_static", d.friction_static, not_negative);
+  v("friction_dynamic", d.friction_dynamic, not_negative);
+  v("restitution", d.restitution, fraction);
+}
+
+// Two bodies may touch when each one's category is in the other's mask; but bodies of the same non-zero group always
+// touch if it is positive and never if it is negative.
+struct Filter {
+  std::uint32_t category = 1, mask = 0xffffffffu;
+  std::int32_t group = 0;
+};
+template <class V, Like<Filter> T>
+void describe(V& v, T& d) {
+  v("category", d.category, any);
+  v("mask", d.mask, any);
+  v("group", d.group, any);
+}
+
+struct BodyDef {
+  Shape shape;
+  Pos at;                          // of the shape's frame, m
+  Quat turn;                       // of the shape's frame
+  Vec3 velocity;                   // of the centre of mass, m/s
+  Vec3 spin;                       // angular velocity, rad/s, world axes
+  Real density = 1000;             // kg/m³; used where mass is 0
+  Real mass = 0;                   // kg; 0: from density
+  Material material;
+  Filter filter;
+  Motion motion = Motion::dynamic;
+  bool sleeps = true;              // may be put to sleep where the world sleeps
+  std::string name;
+};
+template <class V, Like<BodyDef> T>
+void describe(V& v, T& d) {
+  v("shape", d.shape, any);
+  v("at", d.at, any);
+  v("turn", d.turn, unit_length);
+  v("velocity", d.velocity, any);
+  v("spin", d.spin, any);
+  v("density", d.density, positive);
+  v("mass", d.mass, not_negative);
+  v("material", d.material, any);
+  v("filter", d.filter, any);
+  v("motion", d.motion, any);
+  v("sleeps", d.sleeps, any);
+  v("name", d.name, any);
+}
+
+// --- joints: a and b are bodies, a null body is the world; anchors and axes are given in world coordinates at creation ---
+
+// The free coordinate of a hinge [rad] or slider [m], 0 at creation, is kept within low…high.
+struct Limit {
+  Real low = -std::numeric_limits<Real>::infinity(), high = std::numeric_limits<Real>::infinity();
+};
+template <class V, Like<Limit> T>
+void describe(V& v, T& d) {
+  v("low", d.low, Range{-infinite, infinite});
+  v("high", d.high, Range{-infinite, infinite});
+}
+
+// What a joint's free coordinate is driven to, with at most `force` [N or N·m].
+enum class DriveMode : std::uint8_t {
+  off,
+  speed,   // `target` is a speed, m/s or rad/s
+  servo,   // `target` is a coordinate, m or rad; approached as fast as the force lets it stop there
+};
+constexpr const char* const* names(DriveMode) { static constexpr const char* n[] = {"off", "speed", "servo", nullptr}; return n; }
+struct Drive {
+  DriveMode mode = DriveMode::off;
+  Real target = 0;
+  Real force = 0;
+  Real max_speed = std::numeric_limits<Real>::infinity();  // of a servo, m/s or rad/s
+};
+template <class V, Like<Drive> T>
+void describe(V& v, T& d) {
+  v("mode", d.mode, any);
+  v("target", d.target, any);
+  v("force", d.force, or_infinite);
+  v("max_speed", d.max_speed, or_infinite);
+}
+
+struct Bar {  // keeps the distance between two points
+  Body a, b;
+  Pos at_a, at_b;
+  bool collide = false;  // may the two bodies touch each other?
+};
+struct Rope {  // keeps the distance between two points at most at `length`; 0: the distance at creation
+  Body a, b;
+  Pos at_a, at_b;
+  Real length = 0;
+  bool collide = false;
+};
+struct Ball {  // keeps two points together
+  Body a, b;
+  Pos at;
+  bool collide = false;
+};
+struct Hinge {  // a ball joint that turns about one axis only
+  Body a, b;
+  Pos at;
+  Vec3 axis{0, 0, 1};
+  Limit limit;
+  Drive drive;
+  bool collide = false;
+};
+struct Slider {  // b slides along the axis, without turning against a
+  Body a, b;
+  Pos at;
+  Vec3 axis{1, 0, 0};
+  Limit limit;
+  Drive drive;
+  bool collide = false;
+};
+struct Fixed {  // b does not move against a
+  Body a, b;
+  Pos at;
+  bool collide = false;
+};
+struct Plane {  // keeps a point of b in a plane of a
+  Body a, b;
+  Pos at;
+  Vec3 normal{0, 1, 0};
+  bool collide = false;
+};
+using JointDef = std::variant<Bar, Rope, Ball, Hinge, Slider, Fixed, Plane>;
+
+template <class V, Like<Bar> T>
+void describe(V& v, T& d) {
+  v("a", d.a, any), v("b", d.b, any);
+  v("at_a", d.at_a, any), v("at_b", d.at_b, any);
+  v("collide", d.collide, any);
+}
+template <class V, Like<Rope> T>
+void describe(V& v, T& d) {
+  v("a", d.a, any), v("b", d.b, any);
+  v("at_a", d.at_a, any), v("at_b", d.at_b, any);
+  v("length", d.length, not_negative);
+  v("collide", d.collide, any);
+}
+template <class V, class T>
+  requires(Like<T, Ball> || Like<T, Fixed>)
+void describe(V& v, T& d) {
+  v("a", d.a, any), v("b", d.b, any);
+  v("at", d.at, any);
+  v("collide", d.collide, any);
+}
+template <class V, class T>
+  requires(Like<T, Hinge> || Like<T, Slider>)
+void describe(V& v, T& d) {
+  v("a", d.a, any), v("b", d.b, any);
+  v("at", d.at, any), v("axis", d.axis, unit_length);
+  v("limit", d.limit, any), v("drive", d.drive, any);
+  v("collide", d.collide, any);
+}
+template <class V, Like<Plane> T>
+void describe(V& v, T& d) {
+  v("a", d.a, any), v("b", d.b, any);
+  v("at", d.at, any), v("normal", d.normal, unit_length);
+  v("collide", d.collide, any);
+}
+
+// --- forces: constant during a step unless said otherwise ---
+
+struct Gravity {  // the same everywhere
+  Vec3 acceleration{0, Real(-9.81), 0};  // m/s²
+};
+// Resistance of a still medium: F = −(A + B|v|) v and the angular twin, integrated implicitly, so that it never
+// overshoots however long the step (thesis §3.3 with its direction restored).
+struct Drag {
+  Body body;                    // null: every body
+  Real linear = 0;              // A / m, 1/s
+  Real quadratic = 0;           // B / m, 1/m
+  Real angular = 0;             // 1/s
+  Real angular_quadratic = 0;   // 1/rad
+  Real angular_per_radius = 0;  // 1/(m s): adds this times the body's bounding radius to `angular`
+};
+struct NBody {  // every two bodies attract each other: F = G m₁ m₂ / (r² + softening²)
+  Real gravitational_constant = Real(6.6743e-11);  // m³/(kg s²)
+  Real softening = 0;                              // m
+};
+struct Thruster {  // a force that turns with the body
+  Body body;
+  Vec3 force;  // N, body axes
+  Vec3 at;     // m, body frame
+};
+using Force = std::variant<Gravity, Drag, NBody, Thruster>;
+
+template <class V, Like<Gravity> T>
+void describe(V& v, T& d) { v("acceleration", d.acceleration, any); }
+template <class V, Like<Drag> T>
+void describe(V& v, T& d) {
+  v("body", d.body, any);
+  v("linear", d.linear, not_negative), v("quadratic", d.quadratic, not_negative);
+  v("angular", d.angular, not_negative), v("angular_quadratic", d.angular_quadratic, not_negative);
+  v("angular_per_radius", d.angular_per_radius, not_negative);
+}
+template <class V, Like<NBody> T>
+void describe(V& v, T& d) {
+  v("gravitational_constant", d.gravitational_constant, any);
+  v("softening", d.softening, not_negative);
+}
+template <class V, Like<Thruster> T>
+void describe(V& v, T& d) { v("body", d.body, any), v("force", d.force, any), v("at", d.at, any); }
+
+// --- sensors: the prototype's, each a channel: one number a step, read by World::value and written to CSV ---
+
+enum class SensorKind : std::uint8_t {
+  acceleration,   // of a's centre of mass over the last step, m/s²
+  distance,       // between the centres of a and b, m
+  maximum_speed,  // of a so far, m/s
+  odometer,       // length of the way of a's centre so far, m
+};
+constexpr const char* const* names(SensorKind) {
+  static constexpr const char* n[] = {"acceleration", "distance", "maximum_speed", "odometer", nullptr};
+  return n;
+}
+struct Sensor {
+  SensorKind kind = SensorKind::distance;
+  Body a, b;  // b: null is the world's origin
+  std::string name;
+};
+template <class V, Like<Sensor> T>
+void describe(V& v, T& d) { v("kind", d.kind, any), v("a", d.a, any), v("b", d.b, any), v("name", d.name, any); }
+using SensorId = Handle<struct SensorTag>;
+
+// --- settings ---
+
+enum class Solver : std::uint8_t { impulse_2007 };
+constexpr const char* const* names(Solver) { static constexpr const char* n[] = {"impulse_2007", nullptr}; return n; }
+enum class Broad : std::uint8_t { brute };
+constexpr const char* const* names(Broad) { static constexpr const char* n[] = {"brute", nullptr}; return n; }
+enum class Integrator : std::uint8_t {
+  symplectic_euler,
+  rk4,  // for bodies in islands without contacts and joints; the others use symplectic_euler
+};
+constexpr const char* const* names(Integrator) { static constexpr const char* n[] = {"symplectic_euler", "rk4", nullptr}; return n; }
+enum class Mix : std::uint8_t { min, geometric, average, max };  // how the two bodies' values become the pair's
+constexpr const char* const* names(Mix) { static constexpr const char* n[] = {"min", "geometric", "average", "max", nullptr}; return n; }
+
+// The thesis's solver (docs/impulse_2007.md). N₁, N₂, b, δ_max as there.
+struct Impulse2007 {
+  std::int32_t collision_passes = 40;        // N₁, at most
+  std::int32_t contact_passes = 80;          // N₂, at most
+  Real correction = Real(0.2);               // b, share of the overlap beyond slop that one sub-step removes
+  Real slop = Real(0.01);                    // δ_max, m · length_unit
+  Real joint_correction = Real(0.3);         // b of joints
+  bool joint_correction_in_velocity = false; // joints are pulled back in the real velocity, as in the prototype's net
+  bool one_point_contact = false;            // as in the thesis: a contact is one point, the centre of the overlap
+  bool friction_per_increment = false;       // as in the thesis: the friction cone is tested per increment
+};
+template <class V, Like<Impulse2007> T>
+void describe(V& v, T& d) {
+  v("collision_passes", d.collision_passes, Range{0, 100000}), v("contact_passes", d.contact_passes, Range{0, 100000});
+  v("correction", d.correction, fraction), v("slop", d.slop, not_negative);
+  v("joint_correction", d.joint_correction, fraction);
+  v("joint_correction_in_velocity", d.joint_correction_in_velocity, any);
+  v("one_point_contact", d.one_point_contact, any), v("friction_per_increment", d.friction_per_increment, any);
+}
+
+struct Config {
+  Solver solver = Solver::impulse_2007;
+  Broad broad = Broad::brute;
+  Integrator integrator = Integrator::symplectic_euler;
+  double dt = 1.0 / 60;        // s, of World::step()
+  std::int32_t substeps = 4;
+  bool sleep = true;           // quiet islands stop being computed
+  Real length_unit = 1;        // how many units of length a metre has: 1000 for a scene in millimetres
+  Real time_factor = 1;        // k of the thesis: simulated seconds per second of step
+  Mix friction_mix = Mix::geometric, restitution_mix = Mix::max;
+  Impulse2007 impulse_2007;
+};
+template <class V, Like<Config> T>
+void describe(V& v, T& d) {
+  v("solver", d.solver, any), v("broad", d.broad, any), v("integrator", d.integrator, any);
+  v("dt", d.dt, positive), v("substeps", d.substeps, Range{1, 10000});
+  v("sleep", d.sleep, any);
+  v("length_unit", d.length_unit, positive), v("time_factor", d.time_factor, positive);
+  v("friction_mix", d.friction_mix, any), v("restitution_mix", d.restitution_mix, any);
+  v("impulse_2007", d.impulse_2007, any);
+}
+
+}

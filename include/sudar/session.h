@@ -1,0 +1,75 @@
+// A scenario being run: what the command line, the window, the tests and the benchmarks share.
+//   Session s(entry, {.set = {{"ball", 0}}});
+//   while (s.world().time() < s.seconds()) s.step();
+//   s.finish().passed();
+#pragma once
+
+#include <sudar/scenario.h>
+
+namespace sudar::inline SUDAR_PRECISION {
+
+// Scenarios by name. Holds pointers: the plugins that own the entries outlive it.
+class Catalogue {
+ public:
+  void add(const ScenarioEntry*);                             // throws Error: a foreign ABI, a name that is taken
+  const std::vector<const ScenarioEntry*>& all() const { return entries_; }  // by place
+  const ScenarioEntry& find(std::string_view name) const;     // throws Error naming the nearest names
+
+ private:
+  std::vector<const ScenarioEntry*> entries_;
+};
+
+// Sets one described field by its path, e.g. "impulse_2007.contact_passes" to "20". Throws Error naming the field, the
+// value and what was expected.
+void set_field(Config&, std::string_view path, std::string_view value);
+
+struct Settings {
+  std::map<std::string, double> set;                          // parameters
+  std::vector<std::pair<std::string, std::string>> config;    // by path, in order, after the scenario's own config()
+  std::optional<double> seconds;                              // else the scenario's own
+};
+
+// Keys by script: "0:up+left 12.5:none" — from 0 s up and left, from 12.5 s nothing.
+class KeyScript {
+ public:
+  KeyScript() = default;
+  explicit KeyScript(std::string_view text);                  // throws Error
+  void apply(double time, Input&);                            // sets the keys held at `time`
+
+ private:
+  std::vector<std::pair<double, std::vector<std::string>>> entries_;
+  std::size_t next_ = 0;
+};
+
+class Session {
+ public:
+  explicit Session(const ScenarioEntry&, const Settings& = {});
+  // Goes on where save() was called, in a new instance of the scenario.
+  static Session load(const Catalogue&, std::span<const std::byte>);
+
+  void step();                                                // control, World::step, observe
+  const Check& finish();                                      // runs check(); no verdict on what was not reached
+  Bytes save() const;
+
+  const ScenarioEntry& entry() const { return *entry_; }
+  Scenario& scenario() { return *scenario_; }
+  const Scenario& scenario() const { return *scenario_; }
+  World& world() { return world_; }
+  const World& world() const { return world_; }
+  const Check& check() const { return check_; }
+  const std::vector<Params::Entry>& params() const { return params_; }
+  double seconds() const { return seconds_; }                 // simulated
+  bool done() const;                                          // reached seconds()
+  Input input;
+
+ private:
+  Session() = default;
+  const ScenarioEntry* entry_ = nullptr;
+  std::unique_ptr<Scenario, void (*)(Scenario*)> scenario_{nullptr, nullptr};
+  std::vector<Params::Entry> params_;
+  World world_;
+  Check check_;
+  double seconds_ = 0;
+};
+
+}

@@ -1,0 +1,208 @@
+// The world: bodies, joints and forces that move in steps. Owns everything, may be moved, is not shared between threads.
+//   World w;
+//   w.add(Gravity{});
+//   Body b = w.add({.shape = sphere(0.5), .at = {0, 4, 0}});
+//   for (int i = 0; i < 600; ++i) w.step();
+//   w[b].pose().p.y;
+// Bad data throws Error (base.h) and changes nothing; a dead handle does too. Every change goes through the functions of
+// this class, each of which is an operation that a Recorder (record.h) keeps.
+#pragma once
+
+#include <sudar/definitions.h>
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace sudar::inline SUDAR_PRECISION {
+
+class World;
+
+using Bytes = std::vector<std::byte>;
+
+// What the last step reported, in an order that does not depend on machine, broad phase or threads.
+struct Events {
+  struct Touch {  // two bodies that began or ceased to touch
+    Body a, b;
+  };
+  struct Hit {  // an impact
+    Body a, b;
+    Pos at;
+    Vec3 normal;  // from b to a
+    Real speed;   // of approach, m/s
+  };
+  struct Quarantined {  // a body whose state turned non-finite: it is frozen where it last was finite, and no longer collides
+    Body body;
+    std::string reason;
+  };
+  std::vector<Touch> begun, ended;
+  std::vector<Hit> hits;
+  std::vector<Quarantined> quarantined;
+};
+
+// One touching pair, as the last sub-step left it.
+struct Contact {
+  struct Point {
+    Pos at;
+    Real separation;      // m; negative: overlap
+    Real normal_impulse;  // N·s, of the last sub-step
+    Vec3 friction;        // N·s, on a
+    Real cone_share;      // |friction| / (friction_static · normal_impulse): 1 is the edge of the cone
+  };
+  Body a, b;
+  Vec3 normal;  // from b to a
+  std::array<Point, 4> points;
+  int count = 0;
+  Real friction_static = 0, friction_dynamic = 0, restitution = 0;
+  bool slipping = false;
+};
+
+struct RayHit {
+  Body body;
+  Pos at;
+  Vec3 normal;
+  Real distance;
+};
+
+// Kinetic and potential energy [J], momentum [N·s] and angular momentum about the origin [N·m·s] of all dynamic bodies.
+struct Energy {
+  double kinetic = 0, potential = 0;  // potential: in Gravity and NBody
+  double total() const { return kinetic + potential; }
+};
+struct Momentum {
+  Vec3d linear, angular;
+};
+
+// What the last step cost.
+struct Profile {
+  struct Stage {
+    const char* name;
+    double microseconds;
+  };
+  std::vector<Stage> stages;
+  std::int64_t contacts = 0, points = 0;           // touching pairs and their points in the last sub-step
+  std::int64_t collision_passes = 0;               // used, summed over the step's sub-steps
+  std::int64_t contact_passes = 0;
+  std::int64_t point_passes = 0;                   // points × passes, collision and contact together
+  double solve_microseconds = 0;                   // of the passes alone
+  std::int64_t awake = 0;                          // dynamic bodies awake
+};
+
+// How well the last step's constraints hold.
+struct Quality {
+  Real penetration_max = 0, penetration_mean = 0;  // m, over touching points
+  Real joint_gap_max = 0, joint_gap_mean = 0;      // m, over joints
+};
+
+// A look at one body; valid until the world changes.
+class BodyView {
+ public:
+  Pose pose() const;       // of the shape's frame
+  Pos center() const;      // of mass
+  Vec3 velocity() const;   // of the centre of mass, m/s
+  Vec3 spin() const;       // rad/s, world axes
+  Vec3 angular_momentum() const;  // about the centre of mass, world axes
+  Vec3 velocity_at(const Pos& point) const;
+  Real mass() const;       // 0: fixed or kinematic
+  Mat3 inertia() const;    // about the centre of mass, world axes
+  double kinetic_energy() const;
+  const Shape& shape() const;
+  const Material& material() const;
+  const std::string& name() const;
+  Motion motion() const;
+  bool asleep() const;
+  bool quarantined() const;
+
+ private:
+  friend class World;
+  BodyView(const World* w, std::uint32_t i) : world_(w), index_(i) {}
+  const World* world_;
+  std::uint32_t index_;
+};
+
+// The force and torque [N, N·m] that a joint exerted on its body b in the last sub-step, about the anchor; world axes.
+struct Load {
+  Vec3 force, torque;
+};
+
+class JointView {
+ public:
+  const JointDef& definition() const;
+  Pos anchor_a() const;      // the two anchors as they are now
+  Pos anchor_b() const;
+  Real gap() const;          // how far the joint's parts are from holding, m
+  Real coordinate() const;   // angle of a hinge [rad, unwound], way of a slider [m]; else 0
+  Load load() const;
+
+ private:
+  friend class World;
+  JointView(const World* w, std::uint32_t i) : world_(w), index_(i) {}
+  const World* world_;
+  std::uint32_t index_;
+};
+
+class World {
+ public:
+  explicit World(const Config& = {});
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  ~World();
+
+  // --- making and changing: every one is a recorded operation ---
+  Body add(const BodyDef&);
+  ForceId add(const Force&);
+  SensorId add(const Sensor&);
+  Joint join(const JointDef&);
+  void remove(Body);  // and its joints, forces and sensors; wakes what lay on it
+  void remove(Joint);
+  void remove(ForceId);
+  void push(Body, const Vec3& force, const Pos& at);           // N, during the next step() only
+  void place(Body, const Pose&);                               // of the shape's frame
+  void set_velocity(Body, const Vec3& velocity, const Vec3& spin);
+  void set_drive(Joint, const Drive&);                         // of a hinge or slider
+  void set_config(const Config&);
+  void wake(Body);
+
+  const Events& step();            // by config().dt
+  const Events& step(double dt);   // s
+
+  // --- looking ---
+  const Config& config() const;
+  double time() const;             // simulated seconds: the sum of dt · time_factor
+  std::int64_t steps() const;
+  std::vector<Body> bodies() const;
+  std::vector<Joint> joints() const;
+  std::vector<ForceId> forces() const;
+  std::vector<SensorId> sensors() const;
+  bool alive(Body) const;
+  bool alive(Joint) const;
+  Body find(std::string_view name) const;  // null: no such body
+  BodyView operator[](Body) const;
+  JointView operator[](Joint) const;
+  const Force& operator[](ForceId) const;
+  const Sensor& operator[](SensorId) const;
+  double value(SensorId) const;
+  std::vector<Contact> contacts() const;
+  bool touching(Body, Body) const;
+  std::optional<RayHit> ray_cast(const Pos& from, const Vec3& direction, Real length) const;  // nearest; direction of length 1
+  Energy energy() const;
+  Momentum momentum() const;
+  const Events& events() const;
+  const Profile& profile() const;
+  Quality quality() const;
+
+  // --- state: a world restored from save() goes on with the same bits ---
+  Bytes save() const;
+  void load(std::span<const std::byte>);  // replaces everything; throws Error and changes nothing when the data is bad
+  std::uint64_t hash() const;             // of everything that can change a later bit
+  std::uint64_t pose_hash() const;        // of poses and velocities
+
+  struct Impl;  // src/world/impl.h
+  Impl& impl() { return *impl_; }
+  const Impl& impl() const { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+}

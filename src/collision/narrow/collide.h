@@ -1,0 +1,26 @@
+// The one door of the narrow phase: two placed shapes → a manifold.
+#pragma once
+
+#include "collision/narrow/manifold.h"
+#include "geometry/geometry.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+// A geometry in a frame that both shapes share (world axes, origin near them).
+struct Placed {
+  const Geometry* geometry = nullptr;
+  Transform pose;
+};
+
+// Points of a and b nearer to each other than `margin` (overlap is negative), at most four. Never two half spaces.
+void collide(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out);
+
+// The distance along the ray at which it enters the geometry, and the surface normal there; both in the geometry's frame.
+// A ray that starts inside does not hit.
+struct RayOnGeometry {
+  Real distance;
+  Vec3 normal;
+};
+bool ray_cast(const Geometry&, const Vec3& from, const Vec3& direction, Real length, RayOnGeometry& out);
+
+}

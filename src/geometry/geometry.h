@@ -1,0 +1,23 @@
+// What a Shape shares: immutable once made. World stores each once by its content hash.
+#pragma once
+
+#include <sudar/shape.h>
+
+#include "geometry/polyhedron.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+struct Geometry {
+  ShapeKind kind = ShapeKind::sphere;
+  Real radius = 0;            // sphere, capsule
+  Real half_length = 0;       // capsule
+  Polyhedron hull;            // hull
+  MassProperties mass;        // per unit density, in the shape's frame
+  Real bounding_radius = 0;   // about the origin
+  std::uint64_t hash = 0;     // of kind, sizes, vertices and loops: equal content, equal hash
+};
+
+// The smallest box around the geometry at `pose`, widened by `margin`. Infinite for a half space.
+Box bounds(const Geometry&, const Pose& pose, Real margin);
+
+}
