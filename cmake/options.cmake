@@ -11,18 +11,19 @@ if(SUDAR_SANITIZE)
   target_link_options(sudar_numerics INTERFACE -fsanitize=${SUDAR_SANITIZE})
 endif()
 
-add_library(sudar_warnings INTERFACE)
-target_compile_options(sudar_warnings INTERFACE -Wall -Wextra -Wconversion -Werror)
+set(warnings -Wall -Wextra -Wconversion -Werror)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # Interposition is never wanted, and forbids inlining inside a shared library. (clang does not honour it anyway.)
-  target_compile_options(sudar_warnings INTERFACE -fno-semantic-interposition)
+  list(APPEND warnings -fno-semantic-interposition)
+  set(no_float_warning -Wno-float-conversion)
+else()
+  set(no_float_warning -Wno-implicit-float-conversion)
 endif()
-
-# Outside src/ and include/ a user may write 0.8 for a Real.
+add_library(sudar_warnings INTERFACE)
+target_compile_options(sudar_warnings INTERFACE ${warnings})
+# Outside src/ and include/ a user may write 0.8 for a Real. (For clang the exception must follow -Wconversion.)
 add_library(sudar_user_warnings INTERFACE)
-target_link_libraries(sudar_user_warnings INTERFACE sudar_warnings)
-target_compile_options(sudar_user_warnings INTERFACE
-  $<IF:$<CXX_COMPILER_ID:GNU>,-Wno-float-conversion,-Wno-implicit-float-conversion>)
+target_compile_options(sudar_user_warnings INTERFACE ${warnings} ${no_float_warning})
 
 # sudar_folder(FILE…): the files of one folder of the engine, in the order in which they may include each other.
 function(sudar_folder)

@@ -39,7 +39,7 @@ enum class Motion : std::uint8_t {
   kinematic,  // moves with its velocity and spin, whatever it meets
   fixed,      // never moves
 };
-constexpr const char* const* names(Motion) { static constexpr const char* n[] = {"dynamic", "kinematic", "fixed", nullptr}; return n; }
+inline const char* const* names(Motion) { static constexpr const char* n[] = {"dynamic", "kinematic", "fixed", nullptr}; return n; }
 
 struct Material {
   Real friction_static = Real(0.6);   // Coulomb, largest tangential / normal force without slip
@@ -114,7 +114,7 @@ enum class DriveMode : std::uint8_t {
   speed,   // `target` is a speed, m/s or rad/s
   servo,   // `target` is a coordinate, m or rad; approached as fast as the force lets it stop there
 };
-constexpr const char* const* names(DriveMode) { static constexpr const char* n[] = {"off", "speed", "servo", nullptr}; return n; }
+inline const char* const* names(DriveMode) { static constexpr const char* n[] = {"off", "speed", "servo", nullptr}; return n; }
 struct Drive {
   DriveMode mode = DriveMode::off;
   Real target = 0;
@@ -260,7 +260,7 @@ enum class SensorKind : std::uint8_t {
   maximum_speed,  // of a so far, m/s
   odometer,       // length of the way of a's centre so far, m
 };
-constexpr const char* const* names(SensorKind) {
+inline const char* const* names(SensorKind) {
   static constexpr const char* n[] = {"acceleration", "distance", "maximum_speed", "odometer", nullptr};
   return n;
 }
@@ -276,16 +276,16 @@ using SensorId = Handle<struct SensorTag>;
 // --- settings ---
 
 enum class Solver : std::uint8_t { impulse_2007 };
-constexpr const char* const* names(Solver) { static constexpr const char* n[] = {"impulse_2007", nullptr}; return n; }
+inline const char* const* names(Solver) { static constexpr const char* n[] = {"impulse_2007", nullptr}; return n; }
 enum class Broad : std::uint8_t { brute };
-constexpr const char* const* names(Broad) { static constexpr const char* n[] = {"brute", nullptr}; return n; }
+inline const char* const* names(Broad) { static constexpr const char* n[] = {"brute", nullptr}; return n; }
 enum class Integrator : std::uint8_t {
   symplectic_euler,
   rk4,  // for bodies in islands without contacts and joints; the others use symplectic_euler
 };
-constexpr const char* const* names(Integrator) { static constexpr const char* n[] = {"symplectic_euler", "rk4", nullptr}; return n; }
+inline const char* const* names(Integrator) { static constexpr const char* n[] = {"symplectic_euler", "rk4", nullptr}; return n; }
 enum class Mix : std::uint8_t { min, geometric, average, max };  // how the two bodies' values become the pair's
-constexpr const char* const* names(Mix) { static constexpr const char* n[] = {"min", "geometric", "average", "max", nullptr}; return n; }
+inline const char* const* names(Mix) { static constexpr const char* n[] = {"min", "geometric", "average", "max", nullptr}; return n; }
 
 // The thesis's solver (docs/impulse_2007.md). N₁, N₂, b, δ_max as there.
 struct Impulse2007 {
