@@ -1,0 +1,132 @@
+"""The source checks must find what they are for: each test breaks one rule in a small repository of its own."""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
+import functions
+import layers
+
+GOOD = {
+    "CMakeLists.txt": "add_subdirectory(src/base)\nadd_subdirectory(src/math)\n",
+    "include/sudar/base.h": "#include <string>\n",
+    "include/sudar/math.h": "#include <sudar/base.h>\n",
+    "src/base/CMakeLists.txt": "sudar_folder(\n  pool.h pool.cc  # a comment\n  hash.h)\n",
+    "src/base/pool.h": "#include <sudar/base.h>\n",
+    "src/base/pool.cc": '#include "base/pool.h"\n',
+    "src/base/hash.h": '#include "base/pool.h"\n',
+    "src/math/CMakeLists.txt": "sudar_folder(lanes.h)\n",
+    "src/math/lanes.h": '#include <sudar/math.h>\n#include "base/hash.h"\n#include <cmath>\n',
+}
+
+
+class Layers(unittest.TestCase):
+    def breaches(self, **changes):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder).resolve()
+            for name, text in {**GOOD, **changes.get("files", {})}.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text)
+            return layers.check(root)
+
+    def assert_breach(self, name, text, expected):
+        found = self.breaches(files={name: text})
+        self.assertTrue(any(expected in breach for breach in found), f"{expected!r} is not in {found}")
+
+    def test_accepts_the_line(self):
+        self.assertEqual(self.breaches(), [])
+
+    def test_folder_to_the_right(self):
+        self.assert_breach("src/base/pool.h", '#include "math/lanes.h"\n', "src/base/pool.h:1: includes upward: math/lanes.h")
+
+    def test_file_below_in_the_list(self):
+        self.assert_breach("src/base/pool.h", '\n#include "base/hash.h"\n', "src/base/pool.h:2: includes upward: base/hash.h")
+
+    def test_public_header_of_a_higher_layer(self):
+        self.assert_breach("src/base/pool.h", "#include <sudar/math.h>\n", "sudar/math.h ranks with math")
+
+    def test_public_header_that_includes_upward(self):
+        self.assert_breach("include/sudar/base.h", "#include <sudar/math.h>\n", "include/sudar/base.h:1: includes upward")
+
+    def test_public_header_that_includes_the_inside(self):
+        self.assert_breach("include/sudar/math.h", '#include "base/pool.h"\n', "includes only public ones")
+
+    def test_public_header_without_rank(self):
+        self.assert_breach("include/sudar/extra.h", "\n", "include/sudar/extra.h: public header without a rank")
+
+    def test_file_that_no_list_names(self):
+        self.assert_breach("src/base/extra.h", "\n", "src/base/extra.h: no sudar_folder() lists it")
+
+    def test_listed_file_that_is_missing(self):
+        self.assert_breach("src/math/CMakeLists.txt", "sudar_folder(lanes.h gone.h)\n", "src/math/gone.h: listed, but")
+
+    def test_foreign_library(self):
+        self.assert_breach("src/math/lanes.h", "#include <fmt/core.h>\n", "not of the C++ library: fmt/core.h")
+
+    def test_circle(self):
+        self.assert_breach("src/base/pool.h", '#include "base/hash.h"\n',
+                           "include circle: src/base/hash.h → src/base/pool.h → src/base/hash.h")
+
+    def test_long_file(self):
+        self.assert_breach("src/base/pool.cc", "\n" * 1001, "src/base/pool.cc: 1001 lines")
+
+
+class Functions(unittest.TestCase):
+    TEXT = """#define LOOP(x) { x
+namespace a {
+struct alignas(16) S {  // a brace in a comment {
+  int f() const noexcept { return '{'; }
+  S() : x{1} {
+    const char* s = "}";
+  }
+};
+template <class T>
+  requires(sizeof(T) == 4)
+int long_one(T t) {
+  if (t) {
+    return 1;
+  }
+  return 2;
+}
+enum class E { x, y };
+}
+"""
+
+    def test_finds_every_body(self):
+        found = [(last - first + 1, name.split("(")[0].split()[-1]) for first, last, name in functions.functions(self.TEXT)]
+        self.assertEqual([lines for lines, _ in found], [1, 3, 8])
+
+    def test_counts_lines(self):
+        text = "int f() {\n" + "  g();\n" * 200 + "}\n"
+        self.assertEqual([last - first + 1 for first, last, _ in functions.functions(text)], [202])
+
+
+class Globals(unittest.TestCase):
+    def complaint(self, code):
+        tool = pathlib.Path(functions.__file__).parent / "globals.py"
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "a.cc").write_text(code)
+            subprocess.run(["c++", "-std=c++20", "-fPIC", "-O2", "-c", "a.cc"], cwd=folder, check=True)
+            return subprocess.run([sys.executable, tool, "a.o"], cwd=folder, capture_output=True, text=True)
+
+    def test_constants_are_fine(self):
+        result = self.complaint('struct V { virtual ~V(); }; V::~V() {}  const char* const names[] = {"a", "b"};\n'
+                                "const char* name(int i) { static const int order[] = {1, 0}; return names[order[i]]; }\n")
+        self.assertEqual(result.returncode, 0, result.stdout)
+
+    def test_every_kind_of_variable(self):
+        for code in ("int n;", "int n = 3;", "static int n; int f() { return ++n; }", "thread_local int n;",
+                     "int f() { static int n; return ++n; }", "struct S { static inline int n = 2; }; int* f() { return &S::n; }",
+                     "template <class T> int f() { static int n; return ++n; } int g() { return f<int>(); }",
+                     'const char* n[] = {"a"};'):
+            with self.subTest(code):
+                result = self.complaint(code)
+                self.assertEqual(result.returncode, 1)
+                self.assertIn("n", result.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
