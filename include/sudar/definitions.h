@@ -215,7 +215,7 @@ struct Gravity {  // the same everywhere
   Vec3 acceleration{0, Real(-9.81), 0};  // m/s²
 };
 // Resistance of a still medium: F = −(A + B|v|) v and the angular twin, integrated implicitly, so that it never
-// overshoots however long the step (thesis §3.3 with its direction restored).
+// overshoots however long the step (thesis (3.6) with its direction restored).
 struct Drag {
   Body body;                    // null: every body
   Real linear = 0;              // A / m, 1/s

@@ -66,7 +66,7 @@ Shape truncated_icosahedron(Real edge);                                     // t
 Shape wedge(Vec3 edges);                                                    // right triangle (0,0),(x,0),(0,y) extruded to z, centred on its centre of mass
 Shape hull(std::span<const Vec3> points);                                   // their convex hull, where they are
 
-// Mass properties of a closed surface of outward triangles, convex or not, wherever the origin is (thesis §4: signed
+// Mass properties of a closed surface of outward triangles, convex or not, wherever the origin is (thesis §A: signed
 // tetrahedra). Throws Error("triangles", …) when the surface is not closed.
 MassProperties mass_properties(std::span<const Vec3d> vertices, std::span<const std::uint32_t> triangles);
 
