@@ -10,20 +10,25 @@
 namespace sudar::inline SUDAR_PRECISION {
 
 struct Proxy {
-  Box box;              // enlarged by the owner, so that small motions change nothing
+  Box box;  // enlarged by the owner, so that small motions change nothing
   Filter filter;
-  bool present = false; // in use, and not a half space
-  bool fixed = false;   // two fixed proxies never pair
+  bool present = false;  // in use, and not a half space
+  bool fixed = false;    // two fixed proxies never pair
 };
 
 struct ProxyPair {
-  std::uint32_t a, b;   // a < b
+  std::uint32_t a, b;  // a < b
   constexpr auto operator<=>(const ProxyPair&) const = default;
 };
 
 constexpr bool may_touch(const Filter& a, const Filter& b) {
   if (a.group == b.group && a.group != 0) return a.group > 0;
   return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
+}
+
+// Whether two proxies pair: the one test by which pairs begin (every broad phase) and end (narrow/pairs.h).
+constexpr bool may_pair(const Proxy& a, const Proxy& b) {
+  return a.present && b.present && !(a.fixed && b.fixed) && overlap(a.box, b.box) && may_touch(a.filter, b.filter);
 }
 
 class BroadPhase {

@@ -15,8 +15,8 @@ struct Placed {
 // Points of a and b nearer to each other than `margin` (overlap is negative), at most four. Never two half spaces.
 void collide(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out);
 
-// The distance along the ray at which it enters the geometry, and the surface normal there; both in the geometry's frame.
-// A ray that starts inside does not hit.
+// The distance along the ray at which it enters the geometry, and the surface normal there; both in the geometry's
+// frame. A ray that starts inside does not hit.
 struct RayOnGeometry {
   Real distance;
   Vec3 normal;

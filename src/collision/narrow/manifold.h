@@ -1,4 +1,4 @@
-// How two shapes touch.
+// How two shapes touch. Plain data without padding: manifolds are saved and hashed as bytes.
 #pragma once
 
 #include <sudar/math.h>
@@ -9,18 +9,25 @@
 namespace sudar::inline SUDAR_PRECISION {
 
 struct ManifoldPoint {
-  Vec3 at;                    // in the common frame; half-way between the surfaces for two hulls, on the round body's surface else
+  Vec3 at;                    // in the common frame; half-way between the surfaces where both shapes are flat or both
+                              // are round, else on the round shape's surface
   Real separation = 0;        // along the normal; negative: overlap
   std::uint32_t feature = 0;  // the same number for the same corner in the next step
+  std::int32_t match = -1;    // the point of the same feature in the manifold before, or -1; written by pairs.h
 };
 
 struct Manifold {
-  Vec3 normal;                // from b to a
-  std::array<ManifoldPoint, 4> points;
-  int count = 0;              // 0: no point nearer than the margin
-};
+  enum Bits : std::uint32_t { touching = 1, began = 2, ended = 4 };
 
-// The separating axis found last: tried first next time. A hint only in time, never in result... see sat.h.
+  Vec3 normal;  // from b to a
+  std::array<ManifoldPoint, 4> points;
+  std::int32_t count = 0;  // 0: no point nearer than the margin
+  std::uint32_t bits = 0;  // has points; has them since the last collision; lost them then. Written by pairs.h
+};
+static_assert(sizeof(Manifold) == 19 * sizeof(Real) + 40, "no padding");
+
+// The axis that decided last time, tried first next time. It changes only the time that a collision takes, never its
+// result (sat.h says why), so it may be dropped at any moment.
 struct AxisCache {
   std::uint32_t kind = 0, a = 0, b = 0;
 };

@@ -1,0 +1,183 @@
+#include "collision/narrow/sat.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+namespace {
+
+constexpr Real nothing = -std::numeric_limits<Real>::infinity();
+
+// sin² of the angle between two edges below which their cross product is only noise: they have no axis of their own.
+// What such an axis could add is at most an edge's length times 1e-5.
+constexpr Real parallel = Real(1e-10);
+// … and below which its direction is so rough that the edges' distance along it is checked on all vertices.
+constexpr Real nearly_parallel = Real(1e-4);
+
+Real lowest(std::span<const Vec3> vertices, const Vec3& direction) {
+  Real low = dot(vertices[0], direction);
+  for (const Vec3& v : vertices.subspan(1)) low = min(low, dot(v, direction));
+  return low;
+}
+
+Real face_separation(const Polyhedron::Face& face, const HullView& other) {
+  return lowest(other.vertices, face.normal) - face.offset;
+}
+
+// The Gauss map test: a's arc runs from its left to its right face normal, b's between the negated ones. They cross if
+// each separates the ends of the other and both lie on one half of the sphere. An edge's direction is normal to its
+// arc.
+bool arcs_cross(const HullView& a, const Polyhedron::Edge& ea, const Vec3& along_a, const HullView& b,
+                const Polyhedron::Edge& eb, const Vec3& along_b) {
+  const Real left_b = dot(b.faces[eb.left].normal, along_a), right_b = dot(b.faces[eb.right].normal, along_a);
+  if (!(left_b * right_b < 0)) return false;
+  const Real left_a = dot(a.faces[ea.left].normal, along_b), right_a = dot(a.faces[ea.right].normal, along_b);
+  return left_a * right_a < 0 && left_b * right_a < 0;
+}
+
+// The axis of two edges if they have one, else kind none.
+Axis edge_axis(const HullView& a, std::uint32_t i, const HullView& b, std::uint32_t j) {
+  const Polyhedron::Edge &ea = a.shape->edges[i], &eb = b.shape->edges[j];
+  const Vec3 along_a = a.along(ea), along_b = b.along(eb);
+  if (!arcs_cross(a, ea, along_a, b, eb, along_b)) return {};
+  const Vec3 axis = cross(along_a, along_b);
+  const Real size = length_squared(axis), full = length_squared(along_a) * length_squared(along_b);
+  if (!(size > parallel * full)) return {};
+  Vec3 n = axis / sqrt(size);
+  if (dot(n, a.faces[ea.left].normal + a.faces[ea.right].normal) < 0) n = -n;
+  Real separation = dot(n, b.vertices[eb.from] - a.vertices[ea.from]);
+  if (size < nearly_parallel * full) separation = lowest(b.vertices, n) + lowest(a.vertices, -n);
+  return {Axis::edges, i, j, separation, n};
+}
+
+class Search {
+ public:
+  Search(const HullView& a, const HullView& b, Real margin)
+      : a_(a),
+        b_(b),
+        margin_(margin),
+        scale_(min(a.radius, b.radius)),
+        inner_(a.inner_radius + b.inner_radius),
+        rounding_(16 * std::numeric_limits<Real>::epsilon() * (a.radius + b.radius + length(b.center - a.center))) {}
+
+  bool cached(const AxisCache& cache) {
+    if (cache.kind == Axis::face_a && cache.a < a_.faces.size()) see(face_separation(a_.faces[cache.a], b_));
+    if (cache.kind == Axis::face_b && cache.b < b_.faces.size()) see(face_separation(b_.faces[cache.b], a_));
+    if (cache.kind == Axis::edges && cache.a < a_.shape->edges.size() && cache.b < b_.shape->edges.size()) {
+      const Axis axis = edge_axis(a_, cache.a, b_, cache.b);
+      if (axis.kind == Axis::edges) see(axis.separation);
+    }
+    return apart();
+  }
+
+  // The best face of `of` in `out`, unless it cannot win.
+  void faces(const HullView& of, const HullView& other, Axis::Kind kind, Axis& out) {
+    for (std::uint32_t i = 0; i < of.faces.size(); ++i) {
+      const Polyhedron::Face& face = of.faces[i];
+      if (dot(face.normal, other.center) - face.offset - other.inner_radius < worth_looking()) continue;
+      const Real s = face_separation(face, other);
+      if (out.kind == Axis::none || s > out.separation) out = {kind, i, i, s, face.normal};
+      see(s);
+      if (apart()) return;
+    }
+  }
+
+  void edges(Axis& out) {
+    SmallArray<std::uint32_t, 128> of_b(b_.shape->edges.size());
+    for (std::uint32_t j = 0; j < b_.shape->edges.size(); ++j) {
+      if (may_face(b_, j, a_.center - b_.center)) of_b.push(j);
+    }
+    for (std::uint32_t i = 0; i < a_.shape->edges.size(); ++i) {
+      if (!may_face(a_, i, b_.center - a_.center)) continue;
+      for (const std::uint32_t j : of_b) {
+        const Axis axis = edge_axis(a_, i, b_, j);
+        if (axis.kind == Axis::none || (out.kind != Axis::none && axis.separation <= out.separation)) continue;
+        out = axis;
+        see(axis.separation);
+        if (apart()) return;
+      }
+    }
+  }
+
+  bool apart() const { return bound_ > margin_; }
+  Real tolerance(Real separation) const { return Real(1e-4) * abs(separation) + Real(2e-5) * scale_; }
+
+ private:
+  void see(Real separation) { bound_ = max(bound_, separation); }
+  // Three tolerances: what loses by less could still be preferred, directly or by way of a third axis.
+  Real worth_looking() const { return bound_ == nothing ? nothing : bound_ - 3 * tolerance(bound_) - rounding_; }
+
+  // Whether some normal on the edge's arc makes n·toward − r_a − r_b large enough. On an arc from l to r that is
+  // largest at an end, or where the arc passes closest to `toward`, if it does so between the ends.
+  bool may_face(const HullView& hull, std::uint32_t edge, const Vec3& toward) const {
+    const Polyhedron::Edge& e = hull.shape->edges[edge];
+    const Vec3 &l = hull.faces[e.left].normal, &r = hull.faces[e.right].normal;
+    const Real need = worth_looking() + inner_, at_l = dot(l, toward), at_r = dot(r, toward);
+    if (max(at_l, at_r) >= need) return true;
+    const Real lr = dot(l, r);
+    if (at_r <= lr * at_l || at_l <= lr * at_r) return false;  // beyond the ends
+    const Vec3 along = hull.along(e);
+    return length_squared(toward) - square(dot(along, toward)) / length_squared(along) >= square(max(need, Real(0)));
+  }
+
+  const HullView &a_, &b_;
+  const Real margin_, scale_, inner_, rounding_;
+  Real bound_ = nothing;  // some axis separates by at least this
+};
+
+}
+
+HullView::HullView(const Polyhedron& hull)
+    : vertices(hull.vertices), faces(hull.faces), shape(&hull), center(hull.interior) {
+  measure();
+}
+
+void HullView::measure() {
+  inner_radius = std::numeric_limits<Real>::infinity();
+  for (const Polyhedron::Face& f : faces) inner_radius = min(inner_radius, f.offset - dot(f.normal, center));
+  Real r = 0;
+  for (const Vec3& v : vertices) r = max(r, length_squared(v - center));
+  radius = sqrt(r);
+}
+
+MovedHull::MovedHull(const Polyhedron& hull, const Mat3& turn, const Vec3& shift)
+    : moved_vertices_(hull.vertices.size()), moved_faces_(hull.faces.size()) {
+  for (const Vec3& v : hull.vertices) moved_vertices_.push(turn * v + shift);
+  for (const Polyhedron::Face& f : hull.faces) {
+    const Vec3 n = turn * f.normal;
+    moved_faces_.push({n, f.offset + dot(n, shift), f.first, f.count});
+  }
+  vertices = moved_vertices_.all();
+  faces = moved_faces_.all();
+  shape = &hull;
+  center = turn * hull.interior + shift;
+  measure();
+}
+
+std::uint32_t support(std::span<const Vec3> vertices, const Vec3& direction) {
+  std::uint32_t best = 0;
+  Real best_value = dot(vertices[0], direction);
+  for (std::uint32_t i = 1; i < vertices.size(); ++i) {
+    const Real value = dot(vertices[i], direction);
+    if (value > best_value) best = i, best_value = value;
+  }
+  return best;
+}
+
+Axis find_axis(const HullView& a, const HullView& b, Real margin, AxisCache& cache) {
+  Search search(a, b, margin);
+  if (search.cached(cache)) return {};
+  Axis best, of_b, of_edges;
+  search.faces(a, b, Axis::face_a, best);
+  if (!search.apart()) search.faces(b, a, Axis::face_b, of_b);
+  if (!search.apart()) search.edges(of_edges);
+  // From the most to the least preferred. Where the search stopped early the last axis seen separates; it is kept to be
+  // tried first next time.
+  for (const Axis& other : {of_b, of_edges}) {
+    if (other.kind == Axis::none) continue;
+    if (best.kind == Axis::none || other.separation > best.separation + search.tolerance(best.separation)) best = other;
+  }
+  cache = {best.kind, best.a, best.b};
+  if (search.apart()) return {};
+  if (best.kind == Axis::face_b) best.normal = -best.normal;
+  return best;
+}
+
+}
