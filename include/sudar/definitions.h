@@ -1,5 +1,6 @@
 // What a world is made of, as plain data: bodies, joints, forces, sensors, settings. Aggregates with useful defaults:
 //   BodyDef{.shape = sphere(0.5), .at = {0, 4, 0}, .material = {.restitution = 0.8}}
+// (Every field has an initialiser, be it {}: else -Wextra would complain about the fields that a user leaves out.)
 // SI units, radians. Each aggregate is described once, by describe(), below it: that one list makes the errors that name
 // a field, the recordings, the command line's --config and the inspector.
 #pragma once
@@ -67,18 +68,18 @@ void describe(V& v, T& d) {
 }
 
 struct BodyDef {
-  Shape shape;
-  Pos at;                          // of the shape's frame, m
-  Quat turn;                       // of the shape's frame
-  Vec3 velocity;                   // of the centre of mass, m/s
-  Vec3 spin;                       // angular velocity, rad/s, world axes
+  Shape shape{};
+  Pos at{};                        // of the shape's frame, m
+  Quat turn{};                     // of the shape's frame
+  Vec3 velocity{};                 // of the centre of mass, m/s
+  Vec3 spin{};                     // angular velocity, rad/s, world axes
   Real density = 1000;             // kg/m³; used where mass is 0
   Real mass = 0;                   // kg; 0: from density
-  Material material;
-  Filter filter;
+  Material material{};
+  Filter filter{};
   Motion motion = Motion::dynamic;
   bool sleeps = true;              // may be put to sleep where the world sleeps
-  std::string name;
+  std::string name{};
 };
 template <class V, Like<BodyDef> T>
 void describe(V& v, T& d) {
@@ -130,45 +131,45 @@ void describe(V& v, T& d) {
 }
 
 struct Bar {  // keeps the distance between two points
-  Body a, b;
-  Pos at_a, at_b;
+  Body a{}, b{};
+  Pos at_a{}, at_b{};
   bool collide = false;  // may the two bodies touch each other?
 };
 struct Rope {  // keeps the distance between two points at most at `length`; 0: the distance at creation
-  Body a, b;
-  Pos at_a, at_b;
+  Body a{}, b{};
+  Pos at_a{}, at_b{};
   Real length = 0;
   bool collide = false;
 };
 struct Ball {  // keeps two points together
-  Body a, b;
-  Pos at;
+  Body a{}, b{};
+  Pos at{};
   bool collide = false;
 };
 struct Hinge {  // a ball joint that turns about one axis only
-  Body a, b;
-  Pos at;
+  Body a{}, b{};
+  Pos at{};
   Vec3 axis{0, 0, 1};
-  Limit limit;
-  Drive drive;
+  Limit limit{};
+  Drive drive{};
   bool collide = false;
 };
 struct Slider {  // b slides along the axis, without turning against a
-  Body a, b;
-  Pos at;
+  Body a{}, b{};
+  Pos at{};
   Vec3 axis{1, 0, 0};
-  Limit limit;
-  Drive drive;
+  Limit limit{};
+  Drive drive{};
   bool collide = false;
 };
 struct Fixed {  // b does not move against a
-  Body a, b;
-  Pos at;
+  Body a{}, b{};
+  Pos at{};
   bool collide = false;
 };
 struct Plane {  // keeps a point of b in a plane of a
-  Body a, b;
-  Pos at;
+  Body a{}, b{};
+  Pos at{};
   Vec3 normal{0, 1, 0};
   bool collide = false;
 };
@@ -217,7 +218,7 @@ struct Gravity {  // the same everywhere
 // Resistance of a still medium: F = −(A + B|v|) v and the angular twin, integrated implicitly, so that it never
 // overshoots however long the step (thesis (3.6) with its direction restored).
 struct Drag {
-  Body body;                    // null: every body
+  Body body{};                  // null: every body
   Real linear = 0;              // A / m, 1/s
   Real quadratic = 0;           // B / m, 1/m
   Real angular = 0;             // 1/s
@@ -229,9 +230,9 @@ struct NBody {  // every two bodies attract each other: F = G m₁ m₂ / (r² +
   Real softening = 0;                              // m
 };
 struct Thruster {  // a force that turns with the body
-  Body body;
-  Vec3 force;  // N, body axes
-  Vec3 at;     // m, body frame
+  Body body{};
+  Vec3 force{};  // N, body axes
+  Vec3 at{};     // m, body frame
 };
 using Force = std::variant<Gravity, Drag, NBody, Thruster>;
 
@@ -266,8 +267,8 @@ inline const char* const* names(SensorKind) {
 }
 struct Sensor {
   SensorKind kind = SensorKind::distance;
-  Body a, b;  // b: null is the world's origin
-  std::string name;
+  Body a{}, b{};  // b: null is the world's origin
+  std::string name{};
 };
 template <class V, Like<Sensor> T>
 void describe(V& v, T& d) { v("kind", d.kind, any), v("a", d.a, any), v("b", d.b, any), v("name", d.name, any); }
@@ -317,7 +318,7 @@ struct Config {
   Real length_unit = 1;        // how many units of length a metre has: 1000 for a scene in millimetres
   Real time_factor = 1;        // k of the thesis: simulated seconds per second of step
   Mix friction_mix = Mix::geometric, restitution_mix = Mix::max;
-  Impulse2007 impulse_2007;
+  Impulse2007 impulse_2007{};
 };
 template <class V, Like<Config> T>
 void describe(V& v, T& d) {
