@@ -17,6 +17,10 @@ struct Geometry {
   std::uint64_t hash = 0;     // of kind, sizes, vertices and loops: equal content, equal hash
 };
 
+// The one way to a Geometry, for generators and for loading: from its plain data (kind, radius, half_length, the hull's
+// vertices and loops) fills the rest. Throws Error naming the field if the data is no body.
+std::shared_ptr<const Geometry> make_geometry(Geometry&& plain);
+
 // The smallest box around the geometry at `pose`, widened by `margin`. Infinite for a half space.
 Box bounds(const Geometry&, const Pose& pose, Real margin);
 

@@ -1,7 +1,7 @@
 // A convex polyhedron with the adjacency that separating axes and clipping need.
 #pragma once
 
-#include <sudar/math.h>
+#include <sudar/shape.h>
 
 #include <cstdint>
 #include <vector>
@@ -22,7 +22,18 @@ struct Polyhedron {
   std::vector<Face> faces;          // coplanar triangles are merged into one face
   std::vector<std::uint32_t> loops; // vertex numbers, face after face
   std::vector<Edge> edges;
-  Vec3 interior;                    // a point well inside
+  Vec3 interior;                    // a point well inside: the centre of mass
 };
+
+// Lengths that rounding may have made: what deviates from a plane by no more counts as flat. 16 roundings of the
+// largest coordinate; a vertex computed exactly and then rounded is off by less than one.
+double flatness_tolerance(std::span<const Vec3> vertices);
+
+// Fills all that follows from `vertices`, `loops` and the faces' `first` and `count`. Throws Error("faces", …) unless
+// they are a closed convex surface that obeys Euler's formula. Returns the mass properties.
+MassProperties complete(Polyhedron&);
+
+// The polyhedron with these faces, as loops of vertex numbers, counter-clockwise from outside; checked as by complete().
+Polyhedron make_polyhedron(std::vector<Vec3> vertices, const std::vector<std::vector<std::uint32_t>>& faces);
 
 }
