@@ -13,7 +13,7 @@ namespace sudar::inline SUDAR_PRECISION {
 inline constexpr double pi = 3.14159265358979323846;
 
 // Our own, so that every platform returns the same bits. Error below 1 unit in the last place of the argument type
-// for |x| < 1e5 (sin, cos) and everywhere (atan2, acos, asin); tests/unit/math/trig_test.cc measures it.
+// for |x| < 1e5 (sin, cos; tan: 2.5 units) and everywhere (atan2, acos, asin); tests/unit/math/trig_test.cc measures it.
 float sin(float x);
 float cos(float x);
 float tan(float x);
@@ -190,6 +190,12 @@ QuatT<T> quaternion(const Mat3T<T>& m) {
   }
   return normalize(q);
 }
+
+// The same vector or rotation in another precision.
+template <class U, class T>
+constexpr Vec3T<U> convert(const Vec3T<T>& v) { return {U(v.x), U(v.y), U(v.z)}; }
+template <class U, class T>
+constexpr QuatT<U> convert(const QuatT<T>& q) { return {U(q.x), U(q.y), U(q.z), U(q.w)}; }
 
 using Vec3 = Vec3T<Real>;
 using Mat3 = Mat3T<Real>;

@@ -15,7 +15,8 @@ namespace hash_detail {
 // Odd, with bits in no pattern: the fraction of the golden ratio, 2^64/φ.
 inline constexpr std::uint64_t golden = 0x9e3779b97f4a7c15u;
 
-// One word into a stream: a bijection of each for the other fixed. The product carries bits up, the shift brings them down.
+// One word into a stream: a bijection of each for the other fixed. The product carries bits up, the shift brings them
+// down.
 constexpr std::uint64_t mix(std::uint64_t state, std::uint64_t word) {
   state = (state ^ word) * golden;
   return state ^ (state >> 32);

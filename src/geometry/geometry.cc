@@ -37,7 +37,7 @@ void complete_hull(Geometry& g) {
   for (Vec3& v : g.hull.vertices) v += Vec3{};
   g.mass = complete(g.hull);
   double farthest = 0;
-  for (const Vec3& v : g.hull.vertices) farthest = max(farthest, length(Vec3d{double(v.x), double(v.y), double(v.z)}));
+  for (const Vec3& v : g.hull.vertices) farthest = max(farthest, length(convert<double>(v)));
   g.bounding_radius = Real(farthest) * (1 + std::numeric_limits<Real>::epsilon());  // not less, for all rounding
 }
 
@@ -67,7 +67,8 @@ std::shared_ptr<const Geometry> make_geometry(Geometry&& plain) {
       throw Error("kind", "is no kind of shape");
   }
   const bool massive = g.kind != ShapeKind::half_space;
-  if (massive && !(std::isfinite(trace(g.mass.inertia)) && trace(g.mass.inertia) > 0 && g.bounding_radius < Real(1e15))) {
+  if (massive &&
+      !(std::isfinite(trace(g.mass.inertia)) && trace(g.mass.inertia) > 0 && g.bounding_radius < Real(1e15))) {
     throw Error("shape", "is too small or too large to have a mass");
   }
   g.hash = content_hash(g);

@@ -9,12 +9,12 @@ namespace sudar::inline SUDAR_PRECISION {
 
 struct Geometry {
   ShapeKind kind = ShapeKind::sphere;
-  Real radius = 0;            // sphere, capsule
-  Real half_length = 0;       // capsule
-  Polyhedron hull;            // hull
-  MassProperties mass;        // per unit density, in the shape's frame
-  Real bounding_radius = 0;   // about the origin
-  std::uint64_t hash = 0;     // of kind, sizes, vertices and loops: equal content, equal hash
+  Real radius = 0;           // sphere, capsule
+  Real half_length = 0;      // capsule
+  Polyhedron hull;           // hull
+  MassProperties mass;       // per unit density, in the shape's frame
+  Real bounding_radius = 0;  // about the origin
+  std::uint64_t hash = 0;    // of kind, sizes, vertices and loops: equal content, equal hash
 };
 
 // The one way to a Geometry, for generators and for loading: from its plain data (kind, radius, half_length, the hull's

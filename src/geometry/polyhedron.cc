@@ -10,13 +10,11 @@ namespace {
 
 Error bad_faces(const char* reason) { return Error("faces", reason); }
 
-Vec3d to_double(const Vec3& v) { return {double(v.x), double(v.y), double(v.z)}; }
-Vec3 to_real(const Vec3d& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
-
 Polygon outline(const Polyhedron& p, const Polyhedron::Face& face) {
   std::vector<Vec3d> corners;
   corners.reserve(face.count);
-  for (std::uint32_t i = 0; i < face.count; ++i) corners.push_back(to_double(p.vertices[p.loops[face.first + i]]));
+  for (std::uint32_t i = 0; i < face.count; ++i)
+    corners.push_back(convert<double>(p.vertices[p.loops[face.first + i]]));
   return Polygon(std::move(corners));
 }
 
@@ -76,15 +74,34 @@ void check_euler(const Polyhedron& p) {
   if (p.vertices.size() + p.faces.size() != p.edges.size() + 2) throw bad_faces("break Euler's formula V − E + F = 2");
 }
 
+// Along a convex outline the way turns back twice in all: seen in one direction it goes out once and comes home once.
+// One that goes round several times turns back more often. Ways within `tolerance` have no direction.
+bool winds_once(const Polygon& outline, double tolerance) {
+  const std::vector<Vec3d>& v = outline.vertices();
+  const Vec3d direction = normalize(v[1] - v[0]);
+  int turns = 0;
+  bool ahead = true;
+  for (std::size_t i = 1; i <= v.size(); ++i) {
+    const double way = dot(v[(i + 1) % v.size()] - v[i % v.size()], direction);
+    if (abs(way) > tolerance && (way > 0) != ahead) {
+      ahead = !ahead;
+      ++turns;
+    }
+  }
+  return turns <= 2;
+}
+
 // A closed surface without holes that is flat or convex at every edge is convex as a whole (Tietze and Nakajima 1928).
 void check_convex(const Polyhedron& p, const std::vector<Polygon>& outlines) {
-  const double tolerance = flatness_tolerance(p.vertices);
+  // Twice: a face is within the tolerance of one of its triangles, not of its mean plane.
+  const double tolerance = 2 * flatness_tolerance(p.vertices);
   std::vector<Vec3d> centers;
   std::vector<Plane3> planes;
   for (const Polygon& outline : outlines) {
     planes.push_back(outline.plane());
     centers.push_back(outline.centroid());
     if (length_squared(planes.back().normal) < 0.5) throw bad_faces("must have an area");
+    if (!winds_once(outline, tolerance)) throw bad_faces("must be convex polygons");
     for (const Vec3d& corner : outline.vertices()) {
       if (abs(planes.back().distance(corner)) > tolerance) throw bad_faces("must be flat");
     }
@@ -97,7 +114,7 @@ void check_convex(const Polyhedron& p, const std::vector<Polygon>& outlines) {
 MassProperties measure(const Polyhedron& p) {
   std::vector<Vec3d> vertices;
   vertices.reserve(p.vertices.size());
-  for (const Vec3& v : p.vertices) vertices.push_back(to_double(v));
+  for (const Vec3& v : p.vertices) vertices.push_back(convert<double>(v));
   std::vector<std::uint32_t> triangles;
   for (const Polyhedron::Face& face : p.faces) {
     for (std::uint32_t i = 2; i < face.count; ++i) {
@@ -112,7 +129,7 @@ MassProperties measure(const Polyhedron& p) {
 double flatness_tolerance(std::span<const Vec3> vertices) {
   Real largest = 0;
   for (const Vec3& v : vertices) largest = max(largest, max_component(abs(v)));
-  return 16 * double(std::numeric_limits<Real>::epsilon()) * double(largest);
+  return 8 * double(std::numeric_limits<Real>::epsilon()) * double(largest);
 }
 
 MassProperties complete(Polyhedron& p) {
@@ -123,11 +140,11 @@ MassProperties complete(Polyhedron& p) {
   for (const Polyhedron::Face& face : p.faces) outlines.push_back(outline(p, face));
   check_convex(p, outlines);
   for (std::size_t f = 0; f < p.faces.size(); ++f) {
-    p.faces[f].normal = to_real(outlines[f].normal());
-    p.faces[f].offset = Real(dot(to_double(p.faces[f].normal), outlines[f].centroid()));
+    p.faces[f].normal = convert<Real>(outlines[f].normal());
+    p.faces[f].offset = Real(dot(convert<double>(p.faces[f].normal), outlines[f].centroid()));
   }
   const MassProperties mass = measure(p);
-  p.interior = to_real(mass.center);
+  p.interior = convert<Real>(mass.center);
   return mass;
 }
 

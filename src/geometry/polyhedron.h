@@ -10,22 +10,22 @@ namespace sudar::inline SUDAR_PRECISION {
 
 struct Polyhedron {
   struct Face {
-    Vec3 normal;                    // outward, length 1
-    Real offset;                    // normal · x = offset on the face
-    std::uint32_t first, count;     // its loop in `loops`, counter-clockwise from outside
+    Vec3 normal;                 // outward, length 1
+    Real offset;                 // normal · x = offset on the face
+    std::uint32_t first, count;  // its loop in `loops`, counter-clockwise from outside
   };
-  struct Edge {                     // each edge once
-    std::uint32_t from, to;         // vertices, in the order in which face `left` runs through them
-    std::uint32_t left, right;      // the two faces
+  struct Edge {                 // each edge once
+    std::uint32_t from, to;     // vertices, in the order in which face `left` runs through them
+    std::uint32_t left, right;  // the two faces
   };
   std::vector<Vec3> vertices;
-  std::vector<Face> faces;          // coplanar triangles are merged into one face
-  std::vector<std::uint32_t> loops; // vertex numbers, face after face
+  std::vector<Face> faces;           // coplanar triangles are merged into one face
+  std::vector<std::uint32_t> loops;  // vertex numbers, face after face
   std::vector<Edge> edges;
-  Vec3 interior;                    // a point well inside: the centre of mass
+  Vec3 interior;  // a point well inside: the centre of mass
 };
 
-// Lengths that rounding may have made: what deviates from a plane by no more counts as flat. 16 roundings of the
+// Lengths that rounding may have made: what deviates from a plane by no more counts as flat. 8 roundings of the
 // largest coordinate; a vertex computed exactly and then rounded is off by less than one.
 double flatness_tolerance(std::span<const Vec3> vertices);
 
@@ -33,7 +33,8 @@ double flatness_tolerance(std::span<const Vec3> vertices);
 // they are a closed convex surface that obeys Euler's formula. Returns the mass properties.
 MassProperties complete(Polyhedron&);
 
-// The polyhedron with these faces, as loops of vertex numbers, counter-clockwise from outside; checked as by complete().
+// The polyhedron with these faces, as loops of vertex numbers, counter-clockwise from outside; checked as by
+// complete().
 Polyhedron make_polyhedron(std::vector<Vec3> vertices, const std::vector<std::vector<std::uint32_t>>& faces);
 
 }

@@ -9,9 +9,7 @@ PrincipalFrame principal_frame(const MassProperties& mass) {
   const double rounding = max(1e-9, 8 * double(std::numeric_limits<Real>::epsilon()));
   const Eigen3 eigen = eigen_symmetric(mass.inertia, rounding);
   const Quatd turn = conjugate(quaternion(eigen.vectors));
-  const Vec3d origin = -rotate(turn, mass.center);
-  return {eigen.values,
-          {{Real(origin.x), Real(origin.y), Real(origin.z)}, {Real(turn.x), Real(turn.y), Real(turn.z), Real(turn.w)}}};
+  return {eigen.values, {convert<Real>(-rotate(turn, mass.center)), convert<Real>(turn)}};
 }
 
 }

@@ -1,4 +1,5 @@
-// A body's frame: origin at the centre of mass, axes along the principal axes of inertia, so that its inertia is diagonal.
+// A body's frame: origin at the centre of mass, axes along the principal axes of inertia, so that its inertia is
+// diagonal.
 #pragma once
 
 #include <sudar/shape.h>

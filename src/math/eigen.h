@@ -11,9 +11,9 @@ struct Eigen3 {
   Mat3d vectors;
 };
 
-// By Jacobi's rotations (1846), each by at most 45°: every axis stays the one nearest to it, so the order is that of the
-// matrix's own axes, not of size. Off-diagonal elements up to `tolerance` · trace count as 0, for a positive matrix: what
-// is diagonal but for rounding keeps its axes.
+// By Jacobi's rotations (1846), each by at most 45°: every axis stays the one nearest to it, so the order is that of
+// the matrix's own axes, not of size. Off-diagonal elements up to `tolerance` · trace count as 0, for a positive
+// matrix: what is diagonal but for rounding keeps its axes.
 Eigen3 eigen_symmetric(const Mat3d& matrix, double tolerance = 1e-9);
 
 }

@@ -15,7 +15,9 @@ template <class T>
 using Element = typename ElementOf<T>::type;
 
 template <class T>
-constexpr T select(bool condition, T yes, T no) { return condition ? yes : no; }
+constexpr T select(bool condition, T yes, T no) {
+  return condition ? yes : no;
+}
 
 template <class T>
 struct Pair {
@@ -39,7 +41,8 @@ constexpr Pair<T> quick_two_sum(T a, T b) {
 // a as two numbers of half the digits (Veltkamp 1968).
 template <class T>
 constexpr Pair<T> split(T a) {
-  constexpr Element<T> factor = sizeof(Element<T>) == 4 ? Element<T>(4097) : Element<T>(134217729);  // 2^12 + 1, 2^27 + 1
+  constexpr Element<T> factor =
+      sizeof(Element<T>) == 4 ? Element<T>(4097) : Element<T>(134217729);  // 2^12 + 1, 2^27 + 1
   const T t = a * T(factor), hi = t - (t - a);
   return {hi, a - hi};
 }

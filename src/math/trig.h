@@ -1,6 +1,6 @@
 // Sine, cosine, arc tangent and their kin without libm: the same bits from every compiler and machine.
-// Written once over T, a number or a vector of lanes: no branches and no tables, only compare and select, so a lane gets
-// the bits that the number alone would get. Three ideas keep the error below one unit in the last place (ulp):
+// Written once over T, a number or a vector of lanes: no branches and no tables, only compare and select, so a lane
+// gets the bits that the number alone would get. Three ideas keep the error below one unit in the last place (ulp):
 //   - range reduction after Cody and Waite (1980): x − k π/2 with π/2 in parts so short that k times each is exact;
 //   - what does not fit into one number is carried along in a second (pair.h) up to the last addition;
 //   - minimax polynomials for the rest of the series behind its exact leading terms (tools/minimax.py made them).
@@ -82,8 +82,8 @@ SinCos<T> sin_cos(T x) {
   }
   r = quick_two_sum(r.hi, r.lo - k * T(C::half_pi[parts - 1]));
   // So large an argument that k no longer is exact has no meaningful sine, but it shall have one in −1…1.
-  const T one = T(S(1));
-  r.hi = select(r.hi > one, one, select(r.hi < -one, -one, r.hi));
+  const T one = T(S(1)), zero = T(S(0));
+  r = {select(r.hi > one, one, select(r.hi < -one, -one, r.hi)), select(abs(r.hi) > one, zero, r.lo)};
 
   const T z = r.hi * r.hi, half_z = z * T(S(0.5));
   const T s = r.hi + (r.lo * (one - half_z) + r.hi * z * polynomial(C::sine, z));
@@ -91,7 +91,6 @@ SinCos<T> sin_cos(T x) {
   const T c = w + (((one - w) - half_z) + (z * z * polynomial(C::cosine, z) - r.hi * r.lo));
 
   const T turn = k - T(S(4)) * nearest(k * T(S(0.25)));  // quarter turns −2…2
-  const T zero = T(S(0));
   return {select(turn == one, c, select(turn == -one, -c, select(turn == zero, s, -s))),
           select(turn == one, -s, select(turn == -one, s, select(turn == zero, c, -c)))};
 }
