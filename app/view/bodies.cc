@@ -1,0 +1,49 @@
+#include "view/bodies.h"
+
+#include <algorithm>
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+Vec3f asleep(const Vec3f& c) {
+  const float grey = 0.3f * c.x + 0.5f * c.y + 0.2f * c.z;
+  return c * 0.35f + Vec3f{grey, grey, grey} * 0.4f;
+}
+
+}
+
+std::size_t Bodies::mesh_of(const Shape& shape) {
+  if (shape.kind() == ShapeKind::sphere) return sphere_;
+  const auto known = std::find_if(known_.begin(), known_.end(), [&](const Known& k) {
+    return k.shape.shared() == shape.shared() || k.shape == shape;
+  });
+  if (known != known_.end()) return known->mesh;
+  const bool hull = shape.kind() == ShapeKind::hull;
+  const Mesh mesh = hull ? hull_mesh(shape) : capsule_mesh(float(shape.radius()), float(shape.half_length()));
+  known_.push_back({shape, instances_.add_mesh(mesh)});
+  return known_.back().mesh;
+}
+
+void Bodies::place(const Scene& scene, const Pos& eye, bool show_sleep) {
+  constexpr std::size_t none = ~std::size_t(0);
+  std::vector<std::size_t> mesh;
+  for (const Shape& s : scene.shapes) mesh.push_back(s.kind() == ShapeKind::half_space ? none : mesh_of(s));
+  std::vector<std::vector<GpuInstance>> copies(known_.size() + 1);
+  for (std::size_t n = 0; n < scene.instances.size(); ++n) {
+    const Instance& i = scene.instances[n];
+    if (mesh[i.shape] == none) continue;
+    const Shape& shape = scene.shapes[i.shape];
+    GpuInstance g{.position = relative(i.pose.p, eye),
+                  .turn = {float(i.pose.q.x), float(i.pose.q.y), float(i.pose.q.z), float(i.pose.q.w)},
+                  .colour = show_sleep && i.asleep ? asleep(i.colour) : i.colour,
+                  .contrast = i.fixed ? 0.15f : 0.6f,
+                  .gloss = i.fixed ? 0.3f : 0.8f,
+                  .id = std::uint32_t(n + 1)};
+    if (shape.kind() == ShapeKind::sphere) g.scale = Vec3f{1, 1, 1} * float(shape.radius());
+    copies[mesh[i.shape]].push_back(g);
+  }
+  instances_.place(copies);
+}
+
+}

@@ -1,0 +1,183 @@
+#include "view/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+using Loop = std::vector<std::uint32_t>;
+
+struct HullFace {
+  Loop loop;
+  Vec3f normal, centre;
+  float perimeter = 0;
+  float tone = 0;
+};
+
+// Which face runs through the directed edge from → to.
+using EdgeOwners = std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t>;
+
+std::pair<std::uint32_t, std::uint32_t> edge_of(const Loop& loop, std::size_t i) {
+  return {loop[i], loop[(i + 1) % loop.size()]};
+}
+
+HullFace make_face(const Loop& loop, std::span<const Vec3> points) {
+  HullFace face{.loop = loop};
+  Vec3f twice_area;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const auto [from, to] = edge_of(loop, i);
+    const Vec3f a = to_float(points[from]), b = to_float(points[to]);
+    twice_area += cross(a - to_float(points[loop[0]]), b - to_float(points[loop[0]]));
+    face.centre += a / float(loop.size());
+    face.perimeter += length(b - a);
+  }
+  face.normal = normalize(twice_area);
+  return face;
+}
+
+// Greedy: each face takes the tone that fewer of its neighbours (by length of the common edge) and opposites have.
+void choose_tones(std::vector<HullFace>& faces, const EdgeOwners& owner, std::span<const Vec3> points) {
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    HullFace& face = faces[f];
+    float cost[2] = {0, 0};
+    for (std::size_t i = 0; i < face.loop.size(); ++i) {
+      const auto [from, to] = edge_of(face.loop, i);
+      const auto other = owner.find({to, from});
+      if (other == owner.end() || other->second >= f) continue;
+      const float share = length(to_float(points[to] - points[from])) / face.perimeter;
+      cost[int(faces[other->second].tone)] += share;
+    }
+    for (std::size_t g = 0; g < f; ++g) {
+      if (dot(face.normal, faces[g].normal) < -0.999f) cost[int(faces[g].tone)] += 2;  // outweighs all neighbours
+    }
+    face.tone = cost[1] < cost[0] ? 1.0f : 0.0f;
+  }
+}
+
+// One fan round the face's centre, a triangle per edge.
+void add_fan(Mesh& mesh, const HullFace& face, const std::vector<HullFace>& faces, const EdgeOwners& owner,
+             std::span<const Vec3> points, float rounding) {
+  constexpr float smooth = 0.9f;  // cosine: edges that bend less than 26° are left as they are
+  for (std::size_t i = 0; i < face.loop.size(); ++i) {
+    const auto [from, to] = edge_of(face.loop, i);
+    const Vec3f a = to_float(points[from]), b = to_float(points[to]);
+    const auto other = owner.find({to, from});
+    const Vec3f beyond = other == owner.end() ? face.normal : faces[other->second].normal;
+    const bool sharp = dot(face.normal, beyond) < smooth;
+    const float distance = length(cross(normalize(b - a), face.centre - a));
+    const Vec3f edge_normal = sharp ? normalize(face.normal + beyond) : face.normal;
+    const float on_edge = sharp ? 0.0f : 1.0f, at_centre = sharp ? distance / rounding : 1.0f;
+    const auto first = std::uint32_t(mesh.vertices.size());
+    mesh.vertices.push_back({face.centre, face.normal, edge_normal, at_centre, face.tone});
+    mesh.vertices.push_back({a, face.normal, edge_normal, on_edge, face.tone});
+    mesh.vertices.push_back({b, face.normal, edge_normal, on_edge, face.tone});
+    mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2});
+  }
+}
+
+// A ring of a surface of revolution about y.
+struct Ring {
+  float radius, y;
+  float slope_out, slope_up;  // the normal's part away from the axis and along it
+};
+
+// One band between the first and the last ring, in `sectors` pieces of alternating tone.
+void revolve(Mesh& mesh, std::span<const Ring> rings, int sectors, int slices, float (*tone)(int sector)) {
+  const auto turn = 2 * float(pi) / float(sectors * slices);
+  for (int sector = 0; sector < sectors; ++sector) {
+    const auto first = std::uint32_t(mesh.vertices.size());
+    const auto row = std::uint32_t(slices + 1);
+    for (const Ring& ring : rings) {
+      for (int i = 0; i <= slices; ++i) {
+        const float angle = turn * float(sector * slices + i), c = sudar::cos(angle), s = sudar::sin(angle);
+        const Vec3f normal{ring.slope_out * c, ring.slope_up, -ring.slope_out * s};
+        mesh.vertices.push_back({{ring.radius * c, ring.y, -ring.radius * s}, normal, normal, 1, tone(sector)});
+      }
+    }
+    for (std::uint32_t r = 0; r + 1 < rings.size(); ++r) {
+      for (std::uint32_t i = 0; i < std::uint32_t(slices); ++i) {
+        const std::uint32_t low = first + r * row + i, high = low + row;
+        mesh.indices.insert(mesh.indices.end(), {low, low + 1, high + 1, low, high + 1, high});
+      }
+    }
+  }
+}
+
+// Part of a sphere's outline between two latitudes [rad], from low to high, its centre at height y.
+std::vector<Ring> arc(float radius, float y, float from, float to, int steps) {
+  std::vector<Ring> rings;
+  for (int i = 0; i <= steps; ++i) {
+    const float latitude = from + (to - from) * float(i) / float(steps);
+    const float out = sudar::cos(latitude), up = sudar::sin(latitude);
+    rings.push_back({radius * out, y + radius * up, out, up});
+  }
+  return rings;
+}
+
+constexpr float quarter = float(pi) / 2;
+float alternate(int sector) { return float(sector % 2); }
+float alternate_shifted(int sector) { return float((sector + 1) % 2); }
+float light(int) { return 1; }
+float dark(int) { return 0; }
+
+}
+
+Mesh hull_mesh(const Shape& shape) {
+  const std::span<const Vec3> points = shape.vertices();
+  std::vector<HullFace> faces;
+  EdgeOwners owner;
+  for (const Loop& loop : shape.faces()) {
+    for (std::size_t i = 0; i < loop.size(); ++i) owner[edge_of(loop, i)] = faces.size();
+    faces.push_back(make_face(loop, points));
+  }
+  choose_tones(faces, owner, points);
+  // Rounding looks right at a share of the hull's thickness, and is never more than a share of its size.
+  float thickness = std::numeric_limits<float>::infinity();
+  for (const HullFace& face : faces) {
+    float depth = 0;
+    for (const Vec3& p : points) depth = max(depth, dot(face.normal, face.centre - to_float(p)));
+    thickness = min(thickness, depth);
+  }
+  const float rounding = 0.09f * thickness;
+  Mesh mesh;
+  for (const HullFace& face : faces) add_fan(mesh, face, faces, owner, points, rounding);
+  return mesh;
+}
+
+Mesh sphere_mesh() {  // a beach ball: eight sectors and two caps
+  constexpr float cap = 1.25f;  // latitude, rad
+  Mesh mesh;
+  revolve(mesh, arc(1, 0, -quarter, -cap, 3), 8, 6, light);
+  revolve(mesh, arc(1, 0, -cap, cap, 18), 8, 6, alternate);
+  revolve(mesh, arc(1, 0, cap, quarter, 3), 8, 6, light);
+  return mesh;
+}
+
+Mesh capsule_mesh(float radius, float half_length) {
+  Mesh mesh;
+  const Ring low{radius, -half_length, 1, 0}, high{radius, half_length, 1, 0};
+  revolve(mesh, arc(radius, -half_length, -quarter, 0, 8), 4, 10, alternate_shifted);
+  revolve(mesh, std::vector<Ring>{low, high}, 4, 10, alternate);
+  revolve(mesh, arc(radius, half_length, 0, quarter, 8), 4, 10, alternate_shifted);
+  return mesh;
+}
+
+Mesh stick_mesh() {
+  Mesh mesh;
+  revolve(mesh, std::vector<Ring>{{1, 0, 1, 0}, {1, 1, 1, 0}}, 1, 12, dark);
+  revolve(mesh, std::vector<Ring>{{1, 1, 0, 1}, {0, 1, 0, 1}}, 1, 12, dark);
+  return mesh;
+}
+
+Mesh cone_mesh() {
+  Mesh mesh;
+  const float slope = std::sqrt(0.5f);
+  revolve(mesh, std::vector<Ring>{{0, 0, 0, -1}, {1, 0, 0, -1}}, 1, 16, dark);
+  revolve(mesh, std::vector<Ring>{{1, 0, slope, slope}, {0, 1, slope, slope}}, 1, 16, dark);
+  return mesh;
+}
+
+}

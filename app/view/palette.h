@@ -1,0 +1,16 @@
+// Colours that go together: every kind of shape in a scene gets a gradient of its own, along which its bodies walk to and
+// fro by their number. So a wall is made of related bricks, a row of dominoes shades from end to end, and the ball that
+// hits them stands out.
+#pragma once
+
+#include "view/linear.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+Vec3f body_colour(std::uint32_t shape_number, std::uint32_t body_number);  // linear light
+Vec3f fixed_colour();
+
+// From sRGB as designers write it (0xRRGGBB) to linear light.
+Vec3f linear_colour(std::uint32_t srgb);
+
+}

@@ -1,0 +1,209 @@
+#include "view/renderer.h"
+
+#include <stdexcept>
+
+#include "view/bodies.h"
+#include "view/frame.h"
+#include "view/ground.h"
+#include "view/marks.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+// Texture units and the place of the frame block, the same in all programs.
+enum Unit { shadow_unit, light_unit, depth_unit, occlusion_unit };
+constexpr GLuint frame_binding = 0;
+
+// What a picture of one size is drawn into before it is finished.
+struct Canvas {
+  int width, height, samples;
+  gl::Texture light, depth, occlusion;
+  gl::Framebuffer framebuffer, occlusion_framebuffer;
+
+  Canvas(int w, int h, int s)
+      : width(w), height(h), samples(s),
+        light(gl::make_texture(gl::hdr_format, w * s, h * s, GL_NEAREST)),
+        depth(gl::make_texture(gl::depth_format, w * s, h * s, GL_NEAREST)),
+        occlusion(gl::make_texture(gl::grey_format, w, h, GL_NEAREST)),
+        framebuffer(gl::make_framebuffer(light, depth)),
+        occlusion_framebuffer(gl::make_framebuffer(occlusion, 0)) {}
+};
+
+struct ShadowMap {
+  int texels;
+  gl::Texture depth;
+  gl::Framebuffer framebuffer;
+
+  explicit ShadowMap(int size)
+      : texels(size), depth(gl::make_texture(gl::depth_format, size, size, GL_LINEAR)),
+        framebuffer(gl::make_framebuffer(0, depth)) {
+    glBindTexture(GL_TEXTURE_2D, depth);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  }
+};
+
+void begin_pass(GLuint framebuffer, int width, int height, bool depth_test) {
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glViewport(0, 0, width, height);
+  (depth_test ? glEnable : glDisable)(GL_DEPTH_TEST);
+}
+
+}
+
+struct Renderer::Impl {
+  gl::Program body{{"frame.glsl", "body.vert.glsl"}, {"frame.glsl", "light.glsl", "body.frag.glsl"}};
+  gl::Program shadow{{"frame.glsl", "body.vert.glsl"}, {"empty.frag.glsl"}};
+  gl::Program id{{"frame.glsl", "body.vert.glsl"}, {"id.frag.glsl"}};
+  gl::Program mark{{"frame.glsl", "body.vert.glsl"}, {"mark.frag.glsl"}};
+  gl::Program sky{{"screen.vert.glsl"}, {"frame.glsl", "light.glsl", "sky.frag.glsl"}};
+  gl::Program occlusion{{"screen.vert.glsl"}, {"frame.glsl", "occlusion.frag.glsl"}};
+  gl::Program resolve{{"screen.vert.glsl"}, {"resolve.frag.glsl"}};
+  gl::VertexArray none = gl::make_vertex_array();  // for triangles that a shader makes from nothing
+  gl::Buffer frame_buffer = gl::make_buffer();
+  Bodies bodies;
+  Marks marks;
+  Ground ground;
+  std::optional<Canvas> canvas;
+  std::optional<ShadowMap> shadow_map;
+
+  Impl() {
+    for (const gl::Program* p : {&body, &shadow, &id, &mark, &sky, &occlusion, &resolve, &ground.program_}) {
+      p->bind_block("Frame", frame_binding);
+      p->use();
+      p->set("shadow_map", shadow_unit);
+      p->set("light_map", light_unit);
+      p->set("depth", depth_unit);
+      p->set("occlusion", occlusion_unit);
+    }
+    shadow.use();
+    shadow.set("from_sun", 1);
+  }
+
+  void share(const FrameBlock& frame) {
+    glBindBuffer(GL_UNIFORM_BUFFER, frame_buffer);
+    glBufferData(GL_UNIFORM_BUFFER, sizeof frame, &frame, GL_STREAM_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer);
+  }
+
+  void draw_screen() const {
+    glBindVertexArray(none);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+
+  void draw_shadows() const {
+    begin_pass(shadow_map->framebuffer, shadow_map->texels, shadow_map->texels, true);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(1.5f, 2.0f);
+    shadow.use();
+    bodies.draw();
+    glDisable(GL_POLYGON_OFFSET_FILL);
+  }
+
+  void draw_solids(const Scene& scene, const Camera& camera, const Focus& focus, const Style& style) const {
+    begin_pass(canvas->framebuffer, canvas->width * canvas->samples, canvas->height * canvas->samples, true);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    gl::bind(shadow_unit, shadow_map->depth);
+    if (style.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    body.use();
+    bodies.draw();
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    ground.draw(scene, camera, focus, false);
+    glDepthFunc(GL_LEQUAL);  // the sky lies exactly on the far plane
+    sky.use();
+    draw_screen();
+    glDepthFunc(GL_LESS);
+  }
+
+  void draw_occlusion() const {
+    begin_pass(canvas->occlusion_framebuffer, canvas->width, canvas->height, false);
+    gl::bind(depth_unit, canvas->depth);
+    occlusion.use();
+    draw_screen();
+  }
+
+  void draw_over(const Scene& scene, const Camera& camera, const Focus& focus) const {
+    begin_pass(canvas->framebuffer, canvas->width * canvas->samples, canvas->height * canvas->samples, true);
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    glDepthMask(GL_FALSE);
+    ground.draw(scene, camera, focus, true);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+  }
+
+  // Marks hide each other but nothing hides them. They need a depth buffer of their own, but the finishing pass still
+  // wants the old one: so they are drawn last of all that go by depth, and their light has no ambient share.
+  void draw_marks() const {
+    glClear(GL_DEPTH_BUFFER_BIT);
+    mark.use();
+    marks.draw();
+  }
+
+  void finish(const Style& style, const Target& target) const {
+    begin_pass(target.framebuffer, target.width, target.height, false);
+    gl::bind(light_unit, canvas->light);
+    gl::bind(depth_unit, canvas->depth);
+    gl::bind(occlusion_unit, canvas->occlusion);
+    resolve.use();
+    resolve.set("samples", canvas->samples);
+    resolve.set("occluded", style.occlusion ? 1 : 0);
+    draw_screen();
+  }
+};
+
+Renderer::Renderer() {
+  if (epoxy_gl_version() < 33) {
+    throw std::runtime_error("drawing needs OpenGL 3.3; this driver has " + std::to_string(epoxy_gl_version() / 10) + "." +
+                             std::to_string(epoxy_gl_version() % 10));
+  }
+  impl_ = std::make_unique<Impl>();
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::draw(const Scene& scene, const Camera& camera, const Style& style, const Target& target) {
+  Impl& r = *impl_;
+  if (!r.canvas || r.canvas->width != target.width || r.canvas->height != target.height || r.canvas->samples != style.samples) {
+    r.canvas.emplace(target.width, target.height, style.samples);
+  }
+  if (!r.shadow_map || r.shadow_map->texels != style.shadow_texels) r.shadow_map.emplace(style.shadow_texels);
+  const Focus focus = focus_of(scene);
+  r.share(make_frame(scene, focus, camera, double(target.width) / target.height, style.shadow_texels));
+  r.bodies.place(scene, camera.eye, style.sleep);
+  r.marks.place(scene, camera.eye, style);
+  glEnable(GL_CULL_FACE);
+  r.draw_shadows();
+  glDisable(GL_CULL_FACE);
+  r.draw_solids(scene, camera, focus, style);
+  if (style.occlusion) r.draw_occlusion();
+  r.draw_over(scene, camera, focus);
+  r.draw_marks();
+  r.finish(style, target);
+}
+
+IdImage Renderer::ids(const Scene& scene, const Camera& camera, int width, int height) {
+  Impl& r = *impl_;
+  const gl::Texture seen = gl::make_texture(gl::id_format, width, height, GL_NEAREST);
+  const gl::Texture depth = gl::make_texture(gl::depth_format, width, height, GL_NEAREST);
+  const gl::Framebuffer framebuffer = gl::make_framebuffer(seen, depth);
+  r.share(make_frame(scene, focus_of(scene), camera, double(width) / height, 1));
+  r.bodies.place(scene, camera.eye, false);
+  begin_pass(framebuffer, width, height, true);
+  const GLuint nothing[4] = {0, 0, 0, 0};
+  glClearBufferuiv(GL_COLOR, 0, nothing);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  r.id.use();
+  r.bodies.draw();
+  IdImage image{width, height, std::vector<std::uint32_t>(std::size_t(width) * std::size_t(height))};
+  std::vector<std::uint32_t> upside_down(image.ids.size());
+  glReadPixels(0, 0, width, height, GL_RED_INTEGER, GL_UNSIGNED_INT, upside_down.data());
+  for (int y = 0; y < height; ++y) {
+    std::copy_n(&upside_down[std::size_t((height - 1 - y) * width)], width, &image.ids[std::size_t(y * width)]);
+  }
+  return image;
+}
+
+}

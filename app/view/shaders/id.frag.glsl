@@ -1,0 +1,4 @@
+flat in uint id;
+out uint seen;
+
+void main() { seen = id; }

@@ -1,0 +1,56 @@
+// Light of a clear afternoon, in linear units: a warm sun with a soft shadow, a blue sky, and light thrown up by the
+// ground.
+uniform sampler2DShadow shadow_map;
+
+const vec3 sun_light = vec3(1.00, 0.90, 0.74) * 2.55;
+const vec3 sky_light = vec3(0.62, 0.76, 1.00) * 0.78;
+const vec3 ground_light = vec3(0.52, 0.47, 0.42) * 0.62;
+const vec3 horizon = vec3(0.74, 0.82, 0.90);
+const vec3 zenith = vec3(0.16, 0.34, 0.64);
+
+vec3 sky(vec3 direction) {
+  float up = clamp(direction.y, 0.0, 1.0);
+  vec3 colour = mix(horizon, zenith, pow(up, 0.62));
+  float towards_sun = max(dot(direction, sun.xyz), 0.0);
+  return colour + sun_light * (0.06 * pow(towards_sun, 6.0) + 0.10 * pow(towards_sun, 60.0));
+}
+
+// A different angle for each pixel of a small tile, as even as can be: interleaved gradient noise (Jimenez 2014).
+float pixel_noise(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))); }
+
+// Share of the sun that is seen, 0…1: percentage-closer filtering (Reeves et al. 1987) over a disk of the shadow map,
+// its samples on Vogel's spiral.
+float sunlight(vec3 position, vec3 normal) {
+  const int samples = 12;
+  const float softness = 2.6;  // radius of the disk in texels
+  float slope = 1.0 - max(dot(normal, sun.xyz), 0.0);
+  vec3 lifted = position + normal * sun.w * (1.0 + 2.5 * slope);  // off the surface, or it shadows itself
+  vec4 clip = sun_projection * vec4(lifted, 1.0);
+  vec3 place = clip.xyz * 0.5 + 0.5;
+  if (any(lessThan(place, vec3(0.0))) || any(greaterThan(place, vec3(1.0)))) return 1.0;
+  vec2 texel = softness / vec2(textureSize(shadow_map, 0));
+  float turn = 6.2831853 * pixel_noise(gl_FragCoord.xy);
+  float seen = 0.0;
+  for (int i = 0; i < samples; ++i) {
+    float radius = sqrt((float(i) + 0.5) / float(samples));
+    float angle = 2.3999632 * float(i) + turn;
+    seen += texture(shadow_map, vec3(place.xy + texel * radius * vec2(cos(angle), sin(angle)), place.z));
+  }
+  return seen / float(samples);
+}
+
+// Light from a surface to the eye. Alpha: the share of it that is ambient, which ambient occlusion may take away.
+vec4 shade(vec3 albedo, vec3 position, vec3 normal, float gloss) {
+  vec3 to_eye = normalize(-position);
+  float facing = dot(normal, sun.xyz);
+  float lit = facing > 0.0 ? facing * sunlight(position, normal) : 0.0;
+  vec3 ambient = albedo * mix(ground_light, sky_light, 0.5 + 0.5 * normal.y);
+  vec3 half_way = normalize(to_eye + sun.xyz);
+  float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(to_eye, half_way), 0.0), 5.0);
+  float highlight = gloss * fresnel * 9.0 * pow(max(dot(normal, half_way), 0.0), 56.0);
+  vec3 reflected = gloss * sky(reflect(-to_eye, normal)) * (0.02 + 0.35 * pow(1.0 - max(dot(normal, to_eye), 0.0), 5.0));
+  vec3 direct = sun_light * lit * (albedo + highlight);
+  vec3 total = ambient + direct + reflected;
+  const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);
+  return vec4(total, dot(ambient + reflected, luminance) / max(dot(total, luminance), 1e-4));
+}

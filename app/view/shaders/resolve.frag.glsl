@@ -1,0 +1,55 @@
+// From light to a picture: ambient occlusion, tone mapping, the mean of the samples of a pixel, sRGB.
+uniform sampler2D light_map;
+uniform sampler2D occlusion;
+uniform sampler2D depth;
+uniform int samples;        // per pixel along each side
+uniform bool occluded;      // is there an occlusion map?
+in vec2 screen;
+out vec4 colour;
+
+// Mean of the 4 × 4 pixels over which the occlusion's samples are turned, as far as they lie at about the same depth.
+float openness() {
+  if (!occluded) return 1.0;
+  vec2 texel = 1.0 / vec2(textureSize(occlusion, 0));
+  float here = textureLod(depth, screen, 0.0).x, sum = 0.0, weights = 1e-4;
+  float tolerance = 0.015 * (1.0 - here) + 1e-7;
+  for (int y = -2; y < 2; ++y) {
+    for (int x = -2; x < 2; ++x) {
+      vec2 where = screen + texel * (vec2(x, y) + 0.5);
+      float weight = abs(textureLod(depth, where, 0.0).x - here) < tolerance ? 1.0 : 0.02;
+      sum += weight * textureLod(occlusion, where, 0.0).x;
+      weights += weight;
+    }
+  }
+  return sum / weights;
+}
+
+// Leaves colours as they are up to 0.8, then bends to white and takes the saturation with it: the tone mapper "PBR
+// Neutral" (Khronos 2024).
+vec3 tone_mapped(vec3 c) {
+  const float start = 0.76, desaturation = 0.15;
+  float x = min(c.r, min(c.g, c.b));
+  c -= x < 0.08 ? x - 6.25 * x * x : 0.04;
+  float peak = max(c.r, max(c.g, c.b));
+  if (peak < start) return c;
+  float d = 1.0 - start, bent = 1.0 - d * d / (peak + d - start);
+  c *= bent / peak;
+  return mix(c, vec3(bent), 1.0 - 1.0 / (desaturation * (peak - bent) + 1.0));
+}
+
+vec3 srgb(vec3 c) { return mix(12.92 * c, 1.055 * pow(max(c, 0.0), vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
+
+void main() {
+  float open = openness();
+  ivec2 corner = ivec2(gl_FragCoord.xy) * samples;
+  vec3 sum = vec3(0.0);
+  for (int y = 0; y < samples; ++y) {
+    for (int x = 0; x < samples; ++x) {
+      vec4 light = texelFetch(light_map, corner + ivec2(x, y), 0);
+      sum += tone_mapped(light.rgb * (1.0 - light.a * (1.0 - open)));
+    }
+  }
+  // Half a step of noise hides the bands of the sky.
+  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))) - 0.5;
+  colour = vec4(srgb(sum / float(samples * samples)) + noise / 255.0, 1.0);
+}
