@@ -37,11 +37,19 @@ void Bodies::place(const Scene& scene, const Pos& eye, bool show_sleep) {
     GpuInstance g{.position = relative(i.pose.p, eye),
                   .turn = {float(i.pose.q.x), float(i.pose.q.y), float(i.pose.q.z), float(i.pose.q.w)},
                   .colour = show_sleep && i.asleep ? asleep(i.colour) : i.colour,
-                  .contrast = i.fixed ? 0.15f : 0.6f,
+                  .contrast = i.fixed                           ? 0.08f
+                              : shape.kind() == ShapeKind::hull ? 0.22f
+                                                                : 0.8f,
                   .gloss = i.fixed ? 0.3f : 0.8f,
                   .id = std::uint32_t(n + 1)};
     if (shape.kind() == ShapeKind::sphere) g.scale = Vec3f{1, 1, 1} * float(shape.radius());
     copies[mesh[i.shape]].push_back(g);
+  }
+  // Near ones first: what they hide is not shaded.
+  for (auto& list : copies) {
+    std::sort(list.begin(), list.end(), [](const GpuInstance& a, const GpuInstance& b) {
+      return length_squared(a.position) < length_squared(b.position);
+    });
   }
   instances_.place(copies);
 }

@@ -7,23 +7,26 @@ namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
 
-struct Ball {
+struct Round {
   Vec3f centre;  // relative to some origin
   float radius;
 };
 
 // Balls that together cover an instance closely: its corners, or its round ends.
-std::vector<Ball> cover(const Shape& shape, const Pose& pose, const Pos& origin) {
+std::vector<Round> cover(const Shape& shape, const Pose& pose, const Pos& origin) {
   const auto at = [&](const Vec3& local) { return relative(pose.point(local), origin); };
   switch (shape.kind()) {
-    case ShapeKind::sphere: return {{at({}), float(shape.radius())}};
+    case ShapeKind::sphere:
+      return {{at({}), float(shape.radius())}};
     case ShapeKind::capsule:
       return {{at({0, shape.half_length(), 0}), float(shape.radius())},
               {at({0, -shape.half_length(), 0}), float(shape.radius())}};
-    case ShapeKind::half_space: return {};
-    case ShapeKind::hull: break;
+    case ShapeKind::half_space:
+      return {};
+    case ShapeKind::hull:
+      break;
   }
-  std::vector<Ball> corners;
+  std::vector<Round> corners;
   for (const Vec3& v : shape.vertices()) corners.push_back({at(v), 0});
   return corners;
 }
@@ -31,7 +34,7 @@ std::vector<Ball> cover(const Shape& shape, const Pose& pose, const Pos& origin)
 struct Bounds {
   Vec3f low{1e30f, 1e30f, 1e30f}, high{-1e30f, -1e30f, -1e30f};
   bool empty() const { return low.x > high.x; }
-  void add(const Ball& b) {
+  void add(const Round& b) {
     const Vec3f r{b.radius, b.radius, b.radius};
     low = min(low, b.centre - r);
     high = max(high, b.centre + r);
@@ -75,7 +78,7 @@ std::vector<const Instance*> subjects(const Scene& scene) {
   std::erase_if(moving, [&](const Instance* i) { return length(relative(i->pose.p, middle)) > limit; });
   Bounds bounds;
   for (const Instance* i : moving) {
-    for (const Ball& b : cover(scene.shapes[i->shape], i->pose, middle)) bounds.add(b);
+    for (const Round& b : cover(scene.shapes[i->shape], i->pose, middle)) bounds.add(b);
   }
   for (const Instance* i : fixed) {
     const float radius = float(scene.shapes[i->shape].bounding_radius());
@@ -93,18 +96,18 @@ Focus focus_of(const Scene& scene) {
   const Pos origin = about[0]->pose.p;
   Bounds bounds;
   for (const Instance* i : about) {
-    for (const Ball& b : cover(scene.shapes[i->shape], i->pose, origin)) bounds.add(b);
+    for (const Round& b : cover(scene.shapes[i->shape], i->pose, origin)) bounds.add(b);
   }
   return {origin + bounds.centre(), double(bounds.radius())};
 }
 
 Camera framing(const Scene& scene, double aspect) {
   const Focus focus = focus_of(scene);
-  Camera camera{.target = focus.centre};
-  std::vector<Ball> balls;
+  Camera camera;
+  std::vector<Round> balls;
   Bounds bounds;
   for (const Instance* i : subjects(scene)) {
-    for (const Ball& b : cover(scene.shapes[i->shape], i->pose, focus.centre)) balls.push_back(b), bounds.add(b);
+    for (const Round& b : cover(scene.shapes[i->shape], i->pose, focus.centre)) balls.push_back(b), bounds.add(b);
   }
   if (balls.empty()) balls.push_back({{}, float(focus.radius)}), bounds.add(balls.back());
 
@@ -122,10 +125,11 @@ Camera framing(const Scene& scene, double aspect) {
   float distance = 0;
   for (int pass = 0; pass < 2; ++pass) {
     float needs[4] = {0, 0, 0, 0};
-    for (const Ball& b : balls) {
+    for (const Round& b : balls) {
       const Vec3f d = b.centre - target;
       const float depth = dot(d, axes.back), x = dot(d, axes.right), y = dot(d, axes.up);
-      const float rx = b.radius * sudar::sqrt(1 + slope_x * slope_x), ry = b.radius * sudar::sqrt(1 + slope_y * slope_y);
+      const float rx = b.radius * sudar::sqrt(1 + slope_x * slope_x),
+                  ry = b.radius * sudar::sqrt(1 + slope_y * slope_y);
       needs[0] = max(needs[0], (rx + x) / slope_x + depth), needs[1] = max(needs[1], (rx - x) / slope_x + depth);
       needs[2] = max(needs[2], (ry + y) / slope_y + depth), needs[3] = max(needs[3], (ry - y) / slope_y + depth);
     }

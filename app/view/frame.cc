@@ -45,7 +45,8 @@ Mat4 sun_projection(LightBox box, const Pos& eye, const Frame3& axes, int texels
   };
   const float x = snapped((box.low.x + box.high.x) / 2, axes.right), y = snapped((box.low.y + box.high.y) / 2, axes.up);
   const float depth = 4 * edge + box.high.z - box.low.z;  // floors far below still receive shadows
-  const Vec3f low{x - edge / 2, y - edge / 2, box.high.z - depth}, high{x + edge / 2, y + edge / 2, box.high.z + 0.01f * edge};
+  const Vec3f low{x - edge / 2, y - edge / 2, box.high.z - depth},
+      high{x + edge / 2, y + edge / 2, box.high.z + 0.01f * edge};
   return orthographic(low, high) * into_frame(axes);
 }
 

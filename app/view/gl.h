@@ -65,6 +65,11 @@ class Program {
  public:
   Program(const std::vector<std::string>& vertex_files, const std::vector<std::string>& fragment_files);
   void use() const { glUseProgram(program_); }
+  void bind_block(const char* block, GLuint binding) const {
+    const GLuint index = glGetUniformBlockIndex(program_, block);
+    if (index != GL_INVALID_INDEX) glUniformBlockBinding(program_, index, binding);
+  }
+  // A uniform that the program does not have is left alone.
   void set(const char* uniform, int value) const { glUniform1i(place(uniform), value); }
   void set(const char* uniform, float value) const { glUniform1f(place(uniform), value); }
   void set(const char* uniform, float x, float y) const { glUniform2f(place(uniform), x, y); }

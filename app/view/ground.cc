@@ -18,7 +18,8 @@ void Ground::draw(const Scene& scene, const Camera& camera, const Focus& focus, 
   glBindVertexArray(none_);
   for (const Instance& i : scene.instances) {
     if (scene.shapes[i.shape].kind() != ShapeKind::half_space) continue;
-    const Vec3 up = rotate(i.pose.q, Vec3{0, 1, 0}), x = rotate(i.pose.q, Vec3{1, 0, 0}), z = rotate(i.pose.q, Vec3{0, 0, 1});
+    const Vec3 up = rotate(i.pose.q, Vec3{0, 1, 0}), x = rotate(i.pose.q, Vec3{1, 0, 0}),
+               z = rotate(i.pose.q, Vec3{0, 0, 1});
     if ((double(up.y) < 0.5) != glass) continue;
     const Vec3 eye = i.pose.local(camera.eye);
     if (eye.y <= 0) continue;

@@ -32,7 +32,8 @@ std::size_t Instances::add_mesh(const Mesh& mesh) {
   OnCard m{gl::make_vertex_array(), gl::make_buffer(), gl::make_buffer(), GLsizei(mesh.indices.size())};
   glBindVertexArray(m.layout);
   glBindBuffer(GL_ARRAY_BUFFER, m.vertices);
-  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices.size() * sizeof(MeshVertex)), mesh.vertices.data(), GL_STATIC_DRAW);
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices.size() * sizeof(MeshVertex)), mesh.vertices.data(),
+               GL_STATIC_DRAW);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m.indices);
   glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(std::uint32_t)), mesh.indices.data(),
                GL_STATIC_DRAW);

@@ -8,9 +8,9 @@ namespace sudar::inline SUDAR_PRECISION {
 
 struct GpuInstance {
   Vec3f position;  // relative to the eye
-  Vec4f turn;      // quaternion x, y, z, w
+  Vec4f turn{};    // quaternion x, y, z, w
   Vec3f scale{1, 1, 1};
-  Vec3f colour;    // linear
+  Vec3f colour;        // linear
   float contrast = 0;  // of the second tone
   float gloss = 0;
   std::uint32_t id = 0;
@@ -21,7 +21,7 @@ class Instances {
   std::size_t add_mesh(const Mesh&);  // returns its number
   // What draw() draws until the next call: for every mesh its copies. May be shorter than the list of meshes.
   void place(const std::vector<std::vector<GpuInstance>>& copies_of_mesh);
-  void draw() const;                  // with the program in use
+  void draw() const;  // with the program in use
 
  private:
   struct OnCard {

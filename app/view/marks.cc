@@ -27,8 +27,8 @@ void Marks::add_dot(Copies& copies, const Vec3f& at, float radius, const Vec3f& 
 void Marks::add_stick(Copies& copies, const Vec3f& from, const Vec3f& to, float radius, const Vec3f& colour) const {
   const float reach = length(to - from);
   if (reach < 1e-6f) return;
-  copies[stick_].push_back({.position = from, .turn = turn_y_to((to - from) / reach), .scale = {radius, reach, radius},
-                            .colour = colour});
+  copies[stick_].push_back(
+      {.position = from, .turn = turn_y_to((to - from) / reach), .scale = {radius, reach, radius}, .colour = colour});
 }
 
 void Marks::add_arrow(Copies& copies, const Vec3f& from, const Vec3f& to, float radius, const Vec3f& colour) const {
@@ -36,8 +36,10 @@ void Marks::add_arrow(Copies& copies, const Vec3f& from, const Vec3f& to, float 
   if (reach < 1e-6f) return;
   const Vec3f direction = (to - from) / reach, neck = to - direction * min(5 * radius, reach);
   add_stick(copies, from, neck, radius, colour);
-  copies[cone_].push_back({.position = neck, .turn = turn_y_to(direction),
-                           .scale = {2.4f * radius, length(to - neck), 2.4f * radius}, .colour = colour});
+  copies[cone_].push_back({.position = neck,
+                           .turn = turn_y_to(direction),
+                           .scale = {2.4f * radius, length(to - neck), 2.4f * radius},
+                           .colour = colour});
 }
 
 void Marks::place(const Scene& scene, const Pos& eye, const Style& style) {

@@ -12,7 +12,7 @@ using Loop = std::vector<std::uint32_t>;
 
 struct HullFace {
   Loop loop;
-  Vec3f normal, centre;
+  Vec3f normal{}, centre{};
   float perimeter = 0;
   float tone = 0;
 };
@@ -147,7 +147,7 @@ Mesh hull_mesh(const Shape& shape) {
   return mesh;
 }
 
-Mesh sphere_mesh() {  // a beach ball: eight sectors and two caps
+Mesh sphere_mesh() {            // a beach ball: eight sectors and two caps
   constexpr float cap = 1.25f;  // latitude, rad
   Mesh mesh;
   revolve(mesh, arc(1, 0, -quarter, -cap, 3), 8, 6, light);

@@ -25,9 +25,9 @@ struct Mesh {
 };
 
 Mesh hull_mesh(const Shape&);
-Mesh sphere_mesh();                                   // radius 1
-Mesh capsule_mesh(float radius, float half_length);   // axis y
-Mesh stick_mesh();                                    // for marks: a cylinder of radius 1 from y = 0 to 1
-Mesh cone_mesh();                                     // for marks: radius 1 at y = 0, its tip at y = 1
+Mesh sphere_mesh();                                  // radius 1
+Mesh capsule_mesh(float radius, float half_length);  // axis y
+Mesh stick_mesh();                                   // for marks: a cylinder of radius 1 from y = 0 to 1
+Mesh cone_mesh();                                    // for marks: radius 1 at y = 0, its tip at y = 1
 
 }

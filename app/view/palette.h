@@ -1,6 +1,6 @@
-// Colours that go together: every kind of shape in a scene gets a gradient of its own, along which its bodies walk to and
-// fro by their number. So a wall is made of related bricks, a row of dominoes shades from end to end, and the ball that
-// hits them stands out.
+// Colours that go together: every kind of shape in a scene gets a gradient of its own, along which its bodies walk to
+// and fro by their number. So a wall is made of related bricks, a row of dominoes shades from end to end, and the ball
+// that hits them stands out.
 #pragma once
 
 #include "view/linear.h"

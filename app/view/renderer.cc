@@ -1,5 +1,6 @@
 #include "view/renderer.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "view/bodies.h"
@@ -18,15 +19,19 @@ constexpr GLuint frame_binding = 0;
 // What a picture of one size is drawn into before it is finished.
 struct Canvas {
   int width, height, samples;
-  gl::Texture light, depth, occlusion;
-  gl::Framebuffer framebuffer, occlusion_framebuffer;
+  gl::Texture light, depth, mark_depth, occlusion;
+  gl::Framebuffer framebuffer, mark_framebuffer, occlusion_framebuffer;
 
   Canvas(int w, int h, int s)
-      : width(w), height(h), samples(s),
+      : width(w),
+        height(h),
+        samples(s),
         light(gl::make_texture(gl::hdr_format, w * s, h * s, GL_NEAREST)),
         depth(gl::make_texture(gl::depth_format, w * s, h * s, GL_NEAREST)),
+        mark_depth(gl::make_texture(gl::depth_format, w * s, h * s, GL_NEAREST)),
         occlusion(gl::make_texture(gl::grey_format, w, h, GL_NEAREST)),
         framebuffer(gl::make_framebuffer(light, depth)),
+        mark_framebuffer(gl::make_framebuffer(light, mark_depth)),
         occlusion_framebuffer(gl::make_framebuffer(occlusion, 0)) {}
 };
 
@@ -36,7 +41,8 @@ struct ShadowMap {
   gl::Framebuffer framebuffer;
 
   explicit ShadowMap(int size)
-      : texels(size), depth(gl::make_texture(gl::depth_format, size, size, GL_LINEAR)),
+      : texels(size),
+        depth(gl::make_texture(gl::depth_format, size, size, GL_LINEAR)),
         framebuffer(gl::make_framebuffer(0, depth)) {
     glBindTexture(GL_TEXTURE_2D, depth);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
@@ -106,10 +112,12 @@ struct Renderer::Impl {
     begin_pass(canvas->framebuffer, canvas->width * canvas->samples, canvas->height * canvas->samples, true);
     glClear(GL_DEPTH_BUFFER_BIT);
     gl::bind(shadow_unit, shadow_map->depth);
+    glEnable(GL_CULL_FACE);
     if (style.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     body.use();
     bodies.draw();
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glDisable(GL_CULL_FACE);
     ground.draw(scene, camera, focus, false);
     glDepthFunc(GL_LEQUAL);  // the sky lies exactly on the far plane
     sky.use();
@@ -134,9 +142,9 @@ struct Renderer::Impl {
     glDisable(GL_BLEND);
   }
 
-  // Marks hide each other but nothing hides them. They need a depth buffer of their own, but the finishing pass still
-  // wants the old one: so they are drawn last of all that go by depth, and their light has no ambient share.
+  // Marks hide each other but nothing hides them: they have a depth buffer of their own.
   void draw_marks() const {
+    begin_pass(canvas->mark_framebuffer, canvas->width * canvas->samples, canvas->height * canvas->samples, true);
     glClear(GL_DEPTH_BUFFER_BIT);
     mark.use();
     marks.draw();
@@ -156,8 +164,8 @@ struct Renderer::Impl {
 
 Renderer::Renderer() {
   if (epoxy_gl_version() < 33) {
-    throw std::runtime_error("drawing needs OpenGL 3.3; this driver has " + std::to_string(epoxy_gl_version() / 10) + "." +
-                             std::to_string(epoxy_gl_version() % 10));
+    throw std::runtime_error("drawing needs OpenGL 3.3; this driver has " + std::to_string(epoxy_gl_version() / 10) +
+                             "." + std::to_string(epoxy_gl_version() % 10));
   }
   impl_ = std::make_unique<Impl>();
 }
@@ -166,7 +174,8 @@ Renderer::~Renderer() = default;
 
 void Renderer::draw(const Scene& scene, const Camera& camera, const Style& style, const Target& target) {
   Impl& r = *impl_;
-  if (!r.canvas || r.canvas->width != target.width || r.canvas->height != target.height || r.canvas->samples != style.samples) {
+  if (!r.canvas || r.canvas->width != target.width || r.canvas->height != target.height ||
+      r.canvas->samples != style.samples) {
     r.canvas.emplace(target.width, target.height, style.samples);
   }
   if (!r.shadow_map || r.shadow_map->texels != style.shadow_texels) r.shadow_map.emplace(style.shadow_texels);
@@ -176,11 +185,10 @@ void Renderer::draw(const Scene& scene, const Camera& camera, const Style& style
   r.marks.place(scene, camera.eye, style);
   glEnable(GL_CULL_FACE);
   r.draw_shadows();
-  glDisable(GL_CULL_FACE);
   r.draw_solids(scene, camera, focus, style);
   if (style.occlusion) r.draw_occlusion();
   r.draw_over(scene, camera, focus);
-  r.draw_marks();
+  if (style.contacts || style.joints || style.axes) r.draw_marks();
   r.finish(style, target);
 }
 

@@ -1,7 +1,7 @@
 // Draws a Scene with OpenGL 3.3 core into a framebuffer. Knows no window and no context: whoever calls has made one
 // current, and it stays current as long as the renderer lives.
-// A picture: shadow map → bodies, floors, sky in linear light at several samples per pixel → ambient occlusion → walls and
-// marks → tone mapping into the target.
+// A picture: shadow map → bodies, floors, sky in linear light at several samples per pixel → ambient occlusion → walls
+// and marks → tone mapping into the target.
 #pragma once
 
 #include <memory>
@@ -15,10 +15,10 @@ namespace sudar::inline SUDAR_PRECISION {
 struct Style {
   bool contacts = false, joints = false, axes = false;  // marks over the picture
   bool wireframe = false;
-  bool sleep = false;       // bodies asleep are pale
-  bool occlusion = true;    // ambient occlusion
-  int samples = 2;          // per pixel along each side, 1…4: anti-aliasing
-  int shadow_texels = 2048; // edge of the shadow map
+  bool sleep = false;        // bodies asleep are pale
+  bool occlusion = true;     // ambient occlusion
+  int samples = 2;           // per pixel along each side, 1…4: anti-aliasing
+  int shadow_texels = 2048;  // edge of the shadow map
 };
 
 struct Target {

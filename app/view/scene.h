@@ -10,9 +10,9 @@ namespace sudar::inline SUDAR_PRECISION {
 
 struct Instance {
   std::uint32_t shape = 0;  // number in Scene::shapes
-  Pose pose;
+  Pose pose{};
   Vec3f colour{0.5f, 0.5f, 0.5f};  // linear light, 0…1
-  Body body;                // null: not a body
+  Body body{};                     // null: not a body
   bool fixed = false, asleep = false;
 };
 
@@ -23,8 +23,8 @@ struct ContactMark {
 };
 
 struct JointMark {
-  Pos anchor_a, anchor_b;
-  Pos center_a, center_b;           // of the bodies; the anchor itself where the joint ends in the world
+  Pos anchor_a{}, anchor_b{};
+  Pos center_a{}, center_b{};  // of the bodies; the anchor itself where the joint ends in the world
 };
 
 struct Scene {

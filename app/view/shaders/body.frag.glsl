@@ -13,7 +13,7 @@ void main() {
   float width = fwidth(edge_tone.x);
   float flatness = mix(smoothstep(0.0, 1.0, edge_tone.x), 1.0, smoothstep(0.7, 2.5, width));
   vec3 normal = normalize(mix(normalize(rounded_normal), normalize(face_normal), flatness));
-  vec3 second = mix(colour, vec3(dot(colour, vec3(0.3, 0.5, 0.2)) * 0.35 + 0.55), contrast_gloss.x);
+  vec3 second = mix(colour, vec3(0.86, 0.84, 0.80), contrast_gloss.x);
   vec3 albedo = mix(colour, second, edge_tone.y);
   light = shade(albedo, at, normal, contrast_gloss.y);
 }

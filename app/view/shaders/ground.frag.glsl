@@ -22,15 +22,15 @@ float coverage(vec2 x, vec2 footprint, float width) {
 void main() {
   vec2 x = (place + offset) / cell;
   vec2 footprint = fwidth(x);
-  float fine = coverage(x, footprint, 0.018) * (1.0 - smoothstep(0.15, 0.6, max(footprint.x, footprint.y)));
-  float coarse = coverage(x * 0.1, footprint * 0.1, 0.0035);
-  float line = max(0.35 * fine, 0.6 * coarse);
+  float fine = coverage(x, footprint, 0.022) * (1.0 - smoothstep(0.15, 0.6, max(footprint.x, footprint.y)));
+  float coarse = coverage(x * 0.1, footprint * 0.1, 0.0045);
+  float line = max(0.45 * fine, 0.85 * coarse);
   if (glass) {
     float near = 1.0 - smoothstep(0.7, 1.6, length(at - scene_centre) / scene_radius);
     light = vec4(mix(vec3(0.75, 0.85, 0.95), vec3(0.25, 0.32, 0.4), line), near * mix(0.10, 0.45, line));
     return;
   }
-  vec3 albedo = mix(vec3(0.56, 0.56, 0.545), vec3(0.27, 0.28, 0.30), line);
+  vec3 albedo = mix(vec3(0.43, 0.435, 0.43), vec3(0.20, 0.215, 0.24), line);
   vec4 surface = shade(albedo, at, normal, 0.25);
   float far = 1.0 - exp(-pow(length(at) / scale.z, 1.5));
   light = vec4(mix(surface.rgb, sky(normalize(vec3(at.x, 0.0, at.z))), far), surface.a * (1.0 - far));

@@ -2,11 +2,11 @@
 // ground.
 uniform sampler2DShadow shadow_map;
 
-const vec3 sun_light = vec3(1.00, 0.90, 0.74) * 2.55;
-const vec3 sky_light = vec3(0.62, 0.76, 1.00) * 0.78;
-const vec3 ground_light = vec3(0.52, 0.47, 0.42) * 0.62;
-const vec3 horizon = vec3(0.74, 0.82, 0.90);
-const vec3 zenith = vec3(0.16, 0.34, 0.64);
+const vec3 sun_light = vec3(1.00, 0.91, 0.78) * 1.75;
+const vec3 sky_light = vec3(0.64, 0.78, 1.00) * 0.62;
+const vec3 ground_light = vec3(0.50, 0.46, 0.42) * 0.50;
+const vec3 horizon = vec3(0.62, 0.73, 0.83);
+const vec3 zenith = vec3(0.13, 0.30, 0.60);
 
 vec3 sky(vec3 direction) {
   float up = clamp(direction.y, 0.0, 1.0);
@@ -24,7 +24,7 @@ float sunlight(vec3 position, vec3 normal) {
   const int samples = 12;
   const float softness = 2.6;  // radius of the disk in texels
   float slope = 1.0 - max(dot(normal, sun.xyz), 0.0);
-  vec3 lifted = position + normal * sun.w * (1.0 + 2.5 * slope);  // off the surface, or it shadows itself
+  vec3 lifted = position + normal * sun.w * (1.2 + 3.5 * slope);  // off the surface, or it shadows itself
   vec4 clip = sun_projection * vec4(lifted, 1.0);
   vec3 place = clip.xyz * 0.5 + 0.5;
   if (any(lessThan(place, vec3(0.0))) || any(greaterThan(place, vec3(1.0)))) return 1.0;

@@ -1,0 +1,143 @@
+// Pictures are compared by what is seen where (ids) and by mean colours, never pixel by pixel: drivers differ.
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "view/offscreen.h"
+#include "view/palette.h"
+
+using namespace sudar;
+
+namespace {
+
+constexpr int width = 320, height = 180;
+
+// A red box left, a green ball in the middle, a blue capsule right, on a floor; seen from the front.
+Scene three_bodies() {
+  Scene scene;
+  add_instance(scene, half_space(), {.fixed = true});
+  const auto put = [&](const Shape& shape, double x, const Vec3f& colour) {
+    add_instance(scene, shape, {.pose = {{x, 1, 0}, {}}, .colour = colour});
+  };
+  put(box({2, 2, 2}), -4, {0.6f, 0.05f, 0.05f});
+  put(sphere(1), 0, {0.05f, 0.5f, 0.05f});
+  put(capsule(0.5, 1), 4, {0.05f, 0.05f, 0.6f});
+  return scene;
+}
+
+Camera front() { return {.eye = {0, 2, 14}, .target = {0, 1, 0}}; }
+
+std::map<std::uint32_t, int> count(const IdImage& image) {
+  std::map<std::uint32_t, int> pixels;
+  for (const std::uint32_t id : image.ids) ++pixels[id];
+  return pixels;
+}
+
+struct Mean {
+  double red = 0, green = 0, blue = 0;
+};
+Mean mean_colour(const Image& image, const IdImage& ids, std::uint32_t id) {
+  Mean mean;
+  int pixels = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      if (ids.at(x, y) != id) continue;
+      const std::uint8_t* p = image.pixel(x, y);
+      mean.red += p[0], mean.green += p[1], mean.blue += p[2];
+      ++pixels;
+    }
+  }
+  return {mean.red / pixels, mean.green / pixels, mean.blue / pixels};
+}
+
+struct Drawing : testing::Test {
+  Offscreen offscreen;
+  Scene scene = three_bodies();
+};
+
+TEST_F(Drawing, EveryBodyIsSeenWhereItIs) {
+  const IdImage ids = offscreen.ids(scene, front(), width, height);
+  const auto pixels = count(ids);
+  ASSERT_EQ(pixels.size(), 4u) << "background and three bodies";
+  // The ball of radius 1 at distance 14: a disk of radius 90 / tan(0.35) / 14 = 17.6 pixels, 974 in area.
+  EXPECT_NEAR(pixels.at(3), 974, 60);
+  EXPECT_EQ(ids.at(width / 2, height / 2), 3u);
+  EXPECT_EQ(ids.at(width / 2 - 70, height / 2), 2u);
+  EXPECT_EQ(ids.at(width / 2 + 70, height / 2), 4u);
+}
+
+TEST_F(Drawing, IdsAreTheSameAgain) {
+  EXPECT_EQ(offscreen.ids(scene, front(), width, height).ids, offscreen.ids(scene, front(), width, height).ids);
+}
+
+TEST_F(Drawing, BodiesHaveTheirColours) {
+  const Image image = offscreen.picture(scene, front(), {}, width, height);
+  const IdImage ids = offscreen.ids(scene, front(), width, height);
+  const Mean red = mean_colour(image, ids, 2), green = mean_colour(image, ids, 3), blue = mean_colour(image, ids, 4);
+  EXPECT_GT(red.red, red.green + 40);
+  EXPECT_GT(green.green, green.red + 15);
+  EXPECT_GT(blue.blue, blue.red + 15);
+}
+
+TEST_F(Drawing, SkyIsBrighterThanShadowOnTheGround) {
+  const Image image = offscreen.picture(scene, front(), {}, width, height);
+  const auto brightness = [&](int x, int y) {
+    return int(image.pixel(x, y)[0]) + image.pixel(x, y)[1] + image.pixel(x, y)[2];
+  };
+  int darkest = 3 * 255;  // the sun stands behind the left shoulder: the shadows lie behind, to the right
+  for (int x = 0; x < width; ++x) darkest = std::min(darkest, brightness(x, height * 3 / 5));
+  EXPECT_GT(brightness(width / 2, 2), 350);
+  EXPECT_LT(darkest, 300);
+}
+
+TEST_F(Drawing, FarFromTheOriginNothingChanges) {
+  const IdImage here = offscreen.ids(scene, front(), width, height);
+  Camera camera = front();
+  const Vec3d far{4e6, 0, -3e6};
+  for (Instance& i : scene.instances) i.pose.p = i.pose.p + far;
+  camera.eye = camera.eye + far;
+  camera.target = camera.target + far;
+  EXPECT_EQ(offscreen.ids(scene, camera, width, height).ids, here.ids);
+}
+
+TEST_F(Drawing, ContactsAreDrawnOverTheBodies) {
+  scene.contacts = {{{0, 1, 0}, {0, 1, 0}, false}, {{-4, 1, 0}, {0, 1, 0}, true}};
+  const Image image = offscreen.picture(scene, front(), {.contacts = true}, width, height);
+  const std::uint8_t *stick = image.pixel(width / 2, height / 2 - 1), *slip = image.pixel(width / 2 - 70, height / 2);
+  EXPECT_GT(stick[1], stick[0] + 60) << "green inside the green ball";
+  int reddest = 0;
+  for (int dx = -6; dx <= 6; ++dx) reddest = std::max(reddest, int(slip[4 * dx]) - int(slip[4 * dx + 1]));
+  EXPECT_GT(reddest, 120);
+}
+
+TEST_F(Drawing, FramingShowsEveryBodyWhole) {
+  const Camera camera = framing(scene, double(width) / height);
+  const IdImage ids = offscreen.ids(scene, camera, width, height);
+  EXPECT_EQ(count(ids).size(), 4u);
+  for (int x = 0; x < width; ++x) EXPECT_EQ(ids.at(x, 0) + ids.at(x, height - 1), 0u);
+  for (int y = 0; y < height; ++y) EXPECT_EQ(ids.at(0, y) + ids.at(width - 1, y), 0u);
+}
+
+TEST_F(Drawing, TwoThousandBoxes) {
+  Scene many;
+  const Shape shape = box({1, 1, 1});
+  for (int i = 0; i < 2000; ++i) {
+    add_instance(many, shape,
+                 {.pose = {{i % 50 * 1.2, 0.5, i / 50 * 1.2}, {}}, .colour = body_colour(0, std::uint32_t(i))});
+  }
+  EXPECT_EQ(many.shapes.size(), 1u);
+  const Camera above{.eye = {30, 90, 24.1}, .target = {30, 0, 24}};
+  EXPECT_EQ(count(offscreen.ids(many, above, 1280, 720)).size(), 2001u);
+  const Image image = offscreen.picture(many, above, {.samples = 1}, 1280, 720);
+  EXPECT_EQ(image.rgba.size(), 1280u * 720u * 4u);
+}
+
+TEST(Palette, NeighboursDifferAndStayInRange) {
+  for (std::uint32_t body = 0; body < 60; ++body) {
+    const Vec3f a = body_colour(0, body), b = body_colour(0, body + 1);
+    EXPECT_GT(length(a - b), 0.005f);
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(a[i] >= 0 && a[i] <= 1);
+  }
+}
+
+}
