@@ -253,6 +253,10 @@ void describe(V& v, T& d) {
 template <class V, Like<Thruster> T>
 void describe(V& v, T& d) { v("body", d.body, any), v("force", d.force, any), v("at", d.at, any); }
 
+struct Wrench {
+  Vec3 force, torque;  // N, N·m about a named point; world axes
+};
+
 // --- sensors: the prototype's, each a channel: one number a step, read by World::value and written to CSV ---
 
 enum class SensorKind : std::uint8_t {

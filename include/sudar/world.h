@@ -103,7 +103,7 @@ class BodyView {
   Vec3 spin() const;       // rad/s, world axes
   Vec3 angular_momentum() const;  // about the centre of mass, world axes
   Vec3 velocity_at(const Pos& point) const;
-  Real mass() const;       // 0: fixed or kinematic
+  Real mass() const;       // kg; a half space has none: 0
   Mat3 inertia() const;    // about the centre of mass, world axes
   double kinetic_energy() const;
   const Shape& shape() const;
@@ -120,11 +120,6 @@ class BodyView {
   std::uint32_t index_;
 };
 
-// The force and torque [N, N·m] that a joint exerted on its body b in the last sub-step, about the anchor; world axes.
-struct Load {
-  Vec3 force, torque;
-};
-
 class JointView {
  public:
   const JointDef& definition() const;
@@ -132,7 +127,7 @@ class JointView {
   Pos anchor_b() const;
   Real gap() const;          // how far the joint's parts are from holding, m
   Real coordinate() const;   // angle of a hinge [rad, unwound], way of a slider [m]; else 0
-  Load load() const;
+  Wrench load() const;       // that the joint exerted on its body b in the last sub-step, about anchor b
 
  private:
   friend class World;

@@ -1,0 +1,45 @@
+// Generational slots: hands out indices into parallel arrays, takes them back, and knows a dead handle from a live one.
+// Freed slots are used again last in, first out; that order decides later indices, so all of it is state.
+#pragma once
+
+#include "base/archive.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+class Slots {
+ public:
+  std::uint32_t take() {
+    ++live_;
+    if (!free_.empty()) {
+      const std::uint32_t i = free_.back();
+      free_.pop_back();
+      ++generation_[i];
+      return i;
+    }
+    generation_.push_back(1);
+    return std::uint32_t(generation_.size() - 1);
+  }
+  void give_back(std::uint32_t i) {
+    --live_;
+    ++generation_[i];
+    free_.push_back(i);
+  }
+  // A generation is odd while its slot is in use.
+  bool used(std::uint32_t i) const { return i < generation_.size() && (generation_[i] & 1) != 0; }
+  template <class Tag>
+  bool alive(Handle<Tag> h) const { return h.index < generation_.size() && generation_[h.index] == h.generation && used(h.index); }
+  std::uint32_t generation(std::uint32_t i) const { return generation_[i]; }
+  std::uint32_t size() const { return std::uint32_t(generation_.size()); }  // slots ever made: the length of the arrays
+  std::uint32_t live() const { return live_; }
+  template <class Tag>
+  Handle<Tag> handle(std::uint32_t i) const { return {i, generation_[i]}; }
+
+  friend void write(Writer& w, const Slots& s) { w.array(s.generation_), w.array(s.free_), w.value(s.live_); }
+  friend void read(Reader& r, Slots& s) { r.array(s.generation_), r.array(s.free_), s.live_ = r.value<std::uint32_t>(); }
+
+ private:
+  std::vector<std::uint32_t> generation_, free_;
+  std::uint32_t live_ = 0;
+};
+
+}

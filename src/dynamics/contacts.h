@@ -1,0 +1,63 @@
+// What is remembered of a touching pair from step to step, by slot; the pair's row in the pair table names its slot.
+#pragma once
+
+#include "base/slots.h"
+#include "dynamics/bodies.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+// Impulses by point in the order of the manifold's points, N·s, on a.
+struct ContactImpulse {
+  std::array<Real, 4> normal{};
+  std::array<Vec3, 4> friction{};
+};
+static_assert(sizeof(ContactImpulse) == 16 * sizeof(Real), "saved as bytes");
+
+struct Contacts {
+#define CONTACT_FIELD(type, name, unit, stage) std::vector<type> name;
+#include "dynamics/fields.def"
+  Slots slots;
+
+  std::uint32_t add() {
+    const std::uint32_t i = slots.take();
+#define CONTACT_FIELD(type, name, unit, stage) \
+  if (i == name.size()) name.emplace_back(); else name[i] = type{};
+#include "dynamics/fields.def"
+    return i;
+  }
+  void remove(std::uint32_t i) { slots.give_back(i); }
+
+  friend void write(Writer& w, const Contacts& c) {
+    write(w, c.slots);
+#define CONTACT_FIELD(type, name, unit, stage) w.array(c.name);
+#include "dynamics/fields.def"
+  }
+  friend void read(Reader& r, Contacts& c) {
+    read(r, c.slots);
+#define CONTACT_FIELD(type, name, unit, stage) \
+  r.array(c.name);                             \
+  if (c.name.size() != c.slots.size()) throw Error("data", "has arrays of different lengths");
+#include "dynamics/fields.def"
+  }
+};
+
+// The pair's material of two bodies' materials.
+struct PairMaterial {
+  Real friction_static, friction_dynamic, restitution;
+};
+inline Real mix(Mix how, Real a, Real b) {
+  switch (how) {
+    case Mix::min: return min(a, b);
+    case Mix::geometric: return sqrt(a * b);
+    case Mix::average: return (a + b) * Real(0.5);
+    case Mix::max: return max(a, b);
+  }
+  return 0;
+}
+inline PairMaterial mix(const Config& config, const Material& a, const Material& b) {
+  return {mix(config.friction_mix, a.friction_static, b.friction_static),
+          mix(config.friction_mix, a.friction_dynamic, b.friction_dynamic),
+          mix(config.restitution_mix, a.restitution, b.restitution)};
+}
+
+}

@@ -1,0 +1,97 @@
+#include "dynamics/forces.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+template <class Kind, class Visit>
+void for_each(const Forces& forces, Visit visit) {
+  for (std::uint32_t i = 0; i < forces.slots.size(); ++i) {
+    if (!forces.slots.used(i)) continue;
+    if (const auto* force = std::get_if<Kind>(&forces.definition[i])) visit(*force);
+  }
+}
+
+// Newton's gravity of every present body on body i, N.
+Vec3 attraction(const NBody& law, const Bodies& bodies, std::uint32_t i, std::span<const Pos> position) {
+  Vec3d sum;
+  for (std::uint32_t j = 0; j < bodies.size(); ++j) {
+    if (j == i || !bodies.slots.used(j) || bodies.mass[j] == 0) continue;
+    const Vec3d d{position[j].x - position[i].x, position[j].y - position[i].y, position[j].z - position[i].z};
+    const double r2 = dot(d, d) + square(double(law.softening));
+    if (r2 > 0) sum += d * (double(bodies.mass[j]) / (r2 * sqrt(r2)));
+  }
+  const double factor = double(law.gravitational_constant) * double(bodies.mass[i]);
+  return {Real(sum.x * factor), Real(sum.y * factor), Real(sum.z * factor)};
+}
+
+}
+
+Vec3 gravity(const Forces& forces) {
+  Vec3 g;
+  for_each<Gravity>(forces, [&](const Gravity& f) { g += f.acceleration; });
+  return g;
+}
+
+void evaluate(const Forces& forces, const Bodies& bodies, std::span<const std::uint32_t> which,
+              std::span<const Pos> position, std::span<const Quat> orientation, std::vector<Wrench>& out) {
+  out.resize(bodies.size());
+  const Vec3 g = gravity(forces);
+  for (const std::uint32_t i : which) out[i] = {g * bodies.mass[i] + bodies.force[i], bodies.torque[i]};
+  for_each<NBody>(forces, [&](const NBody& f) {
+    for (const std::uint32_t i : which) out[i].force += attraction(f, bodies, i, position);
+  });
+  for_each<Thruster>(forces, [&](const Thruster& f) {
+    const std::uint32_t i = f.body.index;
+    if (!bodies.awake(i)) return;
+    const Quat& q = orientation[i];
+    const Vec3 force = rotate(q, rotate(bodies.shape_frame[i].q, f.force));
+    out[i].force += force;
+    out[i].torque += cross(rotate(q, bodies.shape_frame[i].point(f.at)), force);
+  });
+}
+
+DragRates drag_on(const Forces& forces, const Bodies& bodies, std::uint32_t i) {
+  DragRates sum;
+  for_each<Drag>(forces, [&](const Drag& d) {
+    if (!d.body.null() && d.body.index != i) return;
+    sum.linear += d.linear;
+    sum.quadratic += d.quadratic;
+    sum.angular += d.angular + d.angular_per_radius * bodies.radius[i];
+    sum.angular_quadratic += d.angular_quadratic;
+  });
+  return sum;
+}
+
+double potential_energy(const Forces& forces, const Bodies& bodies) {
+  double sum = 0;
+  const Vec3 g = gravity(forces);
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies.slots.used(i) || !bodies.dynamic(i)) continue;
+    const Pos& p = bodies.position[i];
+    const double m = double(bodies.mass[i]);
+    sum -= m * (double(g.x) * p.x + double(g.y) * p.y + double(g.z) * p.z);
+    for_each<NBody>(forces, [&](const NBody& law) {
+      for (std::uint32_t j = 0; j < bodies.size(); ++j) {
+        if (j == i || !bodies.slots.used(j) || (bodies.dynamic(j) && j < i)) continue;  // each pair once
+        const Pos& o = bodies.position[j];
+        const double r = sqrt(square(p.x - o.x) + square(p.y - o.y) + square(p.z - o.z) + square(double(law.softening)));
+        if (r > 0) sum -= double(law.gravitational_constant) * m * double(bodies.mass[j]) / r;
+      }
+    });
+  }
+  return sum;
+}
+
+void write(Writer& w, const Forces& f) {
+  write(w, f.slots);
+  for (const Force& def : f.definition) write(w, def);
+}
+
+void read(Reader& r, Forces& f) {
+  read(r, f.slots);
+  f.definition.resize(f.slots.size());
+  for (Force& def : f.definition) read(r, def);
+}
+
+}

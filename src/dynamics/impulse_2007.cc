@@ -1,0 +1,629 @@
+#include "dynamics/impulse_2007.h"
+
+#include "base/timer.h"
+#include "dynamics/integrate.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+// One contact point: its arms, inverse effective masses and impulses. Impulses act on a; b gets the opposite.
+struct PointRow {
+  Vec3 ra, rb;                 // from the centres of mass, m
+  Vec3 response;               // K n: change of the relative velocity by a unit normal impulse
+  Real normal_mass;            // 1 / nᵀKn
+  Real tangent_mass;           // 1 / the larger eigenvalue of K in the tangent plane: one number for both directions,
+                               // because unequal ones would bend the direction of friction
+  Real depth;                  // m; negative: a gap
+  Real free_speed;             // min(0, depth/h): approach that closes the gap exactly is allowed
+  Real start;                  // u_n before collisions, m/s
+  Real target;                 // u_n that the contact passes aim at
+  Real normal = 0, push = 0;   // accumulated, N s; push: pseudo
+  Real push_target = 0;        // pseudo speed apart, m/s
+  Vec3 friction;               // accumulated, N s
+  bool hit = false;            // took part in a collision
+};
+
+struct ManifoldRow {
+  std::uint32_t a, b, contact;
+  int count;
+  Vec3 normal;                 // from b to a
+  Real friction;               // static or dynamic, chosen once a sub-step
+  PairMaterial material;
+  std::array<PointRow, 4> points;
+};
+
+// A limit's end or a drive: one row with bounds.
+struct BoundedRow {
+  PreparedRow row;
+  Real mass = 0, impulse = 0, low = 0, high = 0;  // impulse within low…high
+  Real target = 0;                                // rate that it aims at
+  Real push = 0, push_target = 0;
+};
+
+struct JointSolve {
+  std::uint32_t joint, a, b;
+  int count;                                      // rows of the block
+  std::array<PreparedRow, 6> rows;
+  SmallSystem block;
+  std::array<Real, 6> impulse{}, bias{};          // bias: rate that pulls the position back
+  BoundedRow low, high, drive;
+  bool has_low = false, has_high = false, has_drive = false;
+};
+
+// (4.8) K_a = (1/m_a) E − r̃_a I_a⁻¹ r̃_a: velocity change of the point by a unit impulse on it.
+Mat3 point_response(const SolverBody& body, const Vec3& r) {
+  const Mat3 s = Mat3::skew(r);
+  return Mat3::diagonal({body.inverse_mass, body.inverse_mass, body.inverse_mass}) - s * body.inverse_inertia * s;
+}
+
+Vec3 relative_velocity(const SolverBody& a, const SolverBody& b, const PointRow& p) {
+  return a.v + cross(a.w, p.ra) - b.v - cross(b.w, p.rb);
+}
+
+void apply(SolverBody& a, SolverBody& b, const PointRow& p, const Vec3& impulse) {
+  a.v += impulse * a.inverse_mass;
+  a.w += a.inverse_inertia * cross(p.ra, impulse);
+  b.v -= impulse * b.inverse_mass;
+  b.w -= b.inverse_inertia * cross(p.rb, impulse);
+}
+
+Vec3 tangential(const Vec3& v, const Vec3& n) { return v - n * dot(v, n); }
+
+class SubStep {
+ public:
+  SubStep(const SolveInput& input, Bodies& bodies, Joints& joints, Contacts& contacts, SolveReport& report)
+      : in_(input), set_(input.config.impulse_2007), bodies_(bodies), joints_(joints), contacts_(contacts),
+        report_(report), h_(input.h), g_(length(gravity(input.forces))) {}
+
+  void run() {
+    gather();
+    for (const ActiveContact& c : in_.contacts) prepare(c);
+    for (const std::uint32_t j : in_.joints) prepare(j);
+    Timer timer;
+    collide();
+    report_.passes_microseconds += timer.microseconds();
+    aim();
+    accelerate_all();
+    timer = {};
+    hold();
+    report_.passes_microseconds += timer.microseconds();
+    store();
+    move();
+  }
+
+ private:
+  static constexpr std::uint32_t world = 0;  // solver body 0 stands for the world; slot i is solver body i + 1
+  SolverBody& body(std::uint32_t slot) { return solver_[slot == no_body ? world : slot + 1]; }
+
+  void gather() {
+    solver_.assign(bodies_.size() + 1, {});
+    for (const std::uint32_t i : in_.awake) {
+      SolverBody& s = body(i);
+      s.v = bodies_.velocity[i];
+      s.w = spin_of(bodies_, i);
+      s.inverse_mass = bodies_.inverse_mass[i];
+      s.inverse_inertia = bodies_.inverse_inertia_world(i);
+    }
+    for (const std::uint32_t i : in_.kinematic) body(i).v = bodies_.velocity[i], body(i).w = bodies_.spin[i];
+    before_.resize(in_.awake.size());
+    for (std::size_t k = 0; k < in_.awake.size(); ++k) before_[k] = body(in_.awake[k]).w;
+  }
+
+  // --- preparation ---
+
+  void prepare(const ActiveContact& c) {
+    const Manifold manifold = set_.one_point_contact ? centre(*c.manifold) : *c.manifold;
+    ManifoldRow m;
+    m.a = c.a, m.b = c.b;
+    m.contact = std::uint32_t(&c - in_.contacts.data());
+    m.count = manifold.count;
+    m.normal = manifold.normal;
+    m.material = c.material;
+    const SolverBody &a = body(c.a), &b = body(c.b);
+    const Vec3 to_shape = rotate(bodies_.orientation[c.a], bodies_.shape_frame[c.a].p);
+    const Vec3 apart = bodies_.position[c.a] - bodies_.position[c.b];
+    Real slip = 0;
+    for (int k = 0; k < m.count; ++k) {
+      const ManifoldPoint& from = manifold.points[std::size_t(k)];
+      PointRow& p = m.points[std::size_t(k)];
+      p.ra = from.at + to_shape;
+      p.rb = p.ra + apart;
+      p.depth = -from.separation;
+      p.free_speed = min(Real(0), p.depth / h_);
+      masses(p, m.normal, a, b);
+      const Vec3 u = relative_velocity(a, b, p);
+      p.start = dot(u, m.normal);
+      fastest_ = max(fastest_, -p.start);
+      slip = max(slip, length(tangential(u, m.normal)));
+      p.push_target = set_.correction / h_ * max(Real(0), p.depth - slop());  // (4.14): a speed, not an impulse
+      recall(c, k, m.normal, p);
+    }
+    // Which friction holds is decided by the fastest point once a sub-step. Gravity's share in a step, times a tenth,
+    // is slow enough to count as sticking.
+    m.friction = slip <= stick_speed() ? c.material.friction_static : c.material.friction_dynamic;
+    manifolds_.push_back(m);
+  }
+
+  // The impulses of the last sub-step, point by feature; friction turned into the new tangent plane.
+  void recall(const ActiveContact& c, int k, const Vec3& n, PointRow& p) const {
+    const int old = set_.one_point_contact ? 0 : c.match[std::size_t(k)];
+    if (old < 0) return;
+    const ContactImpulse& stored = contacts_.impulse[c.slot];
+    p.normal = stored.normal[std::size_t(old)];
+    p.friction = tangential(stored.friction[std::size_t(old)], n);
+  }
+
+  static void masses(PointRow& p, const Vec3& n, const SolverBody& a, const SolverBody& b) {
+    const Mat3 k = point_response(a, p.ra) + point_response(b, p.rb);
+    p.response = k * n;
+    p.normal_mass = 1 / dot(n, p.response);
+    const Vec3 t1 = any_perpendicular(n), t2 = cross(n, t1);
+    const Vec3 k1 = k * t1;
+    const Real k11 = dot(t1, k1), k12 = dot(t2, k1), k22 = dot(t2, k * t2);
+    const Real mean = (k11 + k22) * Real(0.5);
+    p.tangent_mass = 1 / (mean + sqrt(square((k11 - k22) * Real(0.5)) + square(k12)));
+  }
+
+  // The thesis's contact: one point, the centre of the overlap. It carries no moment, so no tower stands on it.
+  static Manifold centre(const Manifold& m) {
+    Manifold one;
+    one.normal = m.normal;
+    one.count = 1;
+    one.points[0].separation = m.points[0].separation;
+    for (int k = 0; k < m.count; ++k) {
+      one.points[0].at += m.points[std::size_t(k)].at / Real(m.count);
+      one.points[0].separation = min(one.points[0].separation, m.points[std::size_t(k)].separation);
+    }
+    return one;
+  }
+
+  void prepare(std::uint32_t joint) {
+    JointSolve j;
+    j.joint = joint;
+    j.a = joints_.a[joint], j.b = joints_.b[joint];
+    const SolverBody &a = body(j.a), &b = body(j.b);
+    const JointRows demands = rows_of(joints_, bodies_, joint);
+    const JointImpulse& stored = joints_.impulse[joint];
+    j.count = demands.count;
+    std::array<std::array<Real, 6>, 6> k{};
+    for (std::size_t r = 0; r < std::size_t(j.count); ++r) {
+      static_cast<Row&>(j.rows[r]) = demands.rows[r];
+      j.rows[r].prepare(a, b);
+      j.bias[r] = set_.joint_correction / h_ * j.rows[r].error;
+      for (std::size_t s = 0; s <= r; ++s) k[r][s] = response(j.rows[r], j.rows[s], a, b);
+    }
+    j.block.factor(k, j.count);
+    j.impulse = stored.rows;
+    if (demands.free) prepare_coordinate(j, demands, stored);
+    joints_in_step_.push_back(j);
+  }
+
+  void prepare_coordinate(JointSolve& j, const JointRows& demands, const JointImpulse& stored) {
+    const SolverBody &a = body(j.a), &b = body(j.b);
+    Real& coordinate = joints_.coordinate[j.joint];
+    coordinate = demands.angle ? unwind(coordinate, demands.value) : demands.value;
+    const auto bounded = [&](BoundedRow& row, Real impulse, Real low, Real high) {
+      static_cast<Row&>(row.row) = demands.rate;
+      row.row.prepare(a, b);
+      row.mass = 1 / response(row.row, row.row, a, b);
+      row.impulse = impulse, row.low = low, row.high = high;
+    };
+    constexpr Real infinity = std::numeric_limits<Real>::infinity();
+    const Limit& limit = joints_.limit[j.joint];
+    const Real below = limit.low - coordinate, above = coordinate - limit.high;  // positive: beyond the limit
+    if ((j.has_low = limit.low > -infinity && demands.count + int(demands.free) > 0)) {
+      bounded(j.low, stored.low, 0, infinity);
+      j.low.target = min(Real(0), below / h_);
+      j.low.push_target = set_.joint_correction / h_ * max(Real(0), below);
+    }
+    if ((j.has_high = limit.high < infinity)) {
+      bounded(j.high, stored.high, -infinity, 0);
+      j.high.target = max(Real(0), -above / h_);
+      j.high.push_target = -set_.joint_correction / h_ * max(Real(0), above);
+    }
+    const Drive* drive = drive_of(joints_.definition[j.joint]);
+    if ((j.has_drive = drive != nullptr && drive->mode != DriveMode::off && drive->force > 0)) {
+      bounded(j.drive, stored.drive, -drive->force * h_, drive->force * h_);
+      j.drive.impulse = clamp(j.drive.impulse, j.drive.low, j.drive.high);
+      j.drive.target = drive->mode == DriveMode::speed ? drive->target : servo_speed(*drive, coordinate, j.drive.mass);
+    }
+  }
+
+  // The fastest approach from which the drive's force still stops at the target, in steps of h: v²/2a + vh/2 = distance.
+  Real servo_speed(const Drive& drive, Real coordinate, Real mass) const {
+    const Real way = drive.target - coordinate;
+    const Real gain = drive.force / mass * h_;  // largest change of speed in a step
+    const Real half = gain * Real(0.5), distance = abs(way);
+    const Real speed = min(min(sqrt(square(half) + 2 * gain / h_ * distance) - half, distance / h_), drive.max_speed);
+    return way < 0 ? -speed : speed;
+  }
+
+  Real slop() const { return set_.slop * in_.config.length_unit; }
+  Real stick_speed() const { return Real(0.1) * g_ * h_; }
+
+  // --- collisions: thesis (4.9)–(4.11) ---
+
+  // Passes until no manifold approaches. Nothing is warm-started and nothing is kept: an impact is over at once.
+  void collide() {
+    const Real least = Real(1e-5) * g_ * h_ + Real(1e-6) * fastest_;  // slower approach is rounding
+    for (int pass = 0; pass < set_.collision_passes; ++pass) {
+      for (JointSolve& j : joints_in_step_) stop(j);
+      bool approaching = false;
+      for (ManifoldRow& m : manifolds_) {
+        bool approaches = false;
+        for (int k = 0; k < m.count; ++k) {
+          const PointRow& p = m.points[std::size_t(k)];
+          approaches |= dot(relative_velocity(body(m.a), body(m.b), p), m.normal) < p.free_speed - least;
+        }
+        if (!approaches) continue;
+        approaching = true;
+        if (set_.friction_per_increment) strike_as_written(m);
+        else strike(m);
+      }
+      if (!approaching) break;
+      ++report_.collision_passes;
+    }
+  }
+
+  // A joint's whole relative velocity vanishes in an impact: p = K⁻¹(−u), (4.21).
+  void stop(JointSolve& j) {
+    SolverBody &a = body(j.a), &b = body(j.b);
+    solve_block(j, a, b, false, nullptr);
+    for (BoundedRow* row : {j.has_low ? &j.low : nullptr, j.has_high ? &j.high : nullptr}) {
+      if (row == nullptr) continue;
+      const Real impulse = (row->target - row->row.speed(a, b)) * row->mass;
+      if (impulse > row->low && impulse < row->high) row->row.apply(a, b, impulse);
+    }
+  }
+
+  // One impact of a manifold: all its points at once, with accumulated impulses that live in this visit only.
+  void strike(ManifoldRow& m) {
+    SolverBody &a = body(m.a), &b = body(m.b);
+    const SolverBody a0 = a, b0 = b;
+    if (impact(m, a, b, m.material.restitution) > 0) {  // friction made energy: take the bounce away instead
+      a = a0, b = b0;
+      impact(m, a, b, 0);
+    }
+  }
+
+  // Returns the work of the impulses, ½ Σ p·(u⁻ + u⁺) beyond rounding.
+  Real impact(ManifoldRow& m, SolverBody& a, SolverBody& b, Real restitution) {
+    std::array<Real, 4> aim{}, normal{};
+    std::array<Vec3, 4> friction{}, before{};
+    Real speed = 0;
+    for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
+      const PointRow& p = m.points[k];
+      before[k] = relative_velocity(a, b, p);
+      const Real un = dot(before[k], m.normal);
+      speed = max(speed, abs(un));
+      aim[k] = un < p.free_speed ? -restitution * un : p.free_speed;
+    }
+    constexpr int most = 60;
+    for (int repeat = 0; repeat < most; ++repeat) {
+      Real change = 0;
+      for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
+        const PointRow& p = m.points[k];
+        Vec3 u = relative_velocity(a, b, p);
+        const Real l = max(Real(0), normal[k] - (dot(u, m.normal) - aim[k]) * p.normal_mass);
+        const Real dl = l - normal[k];
+        u += p.response * dl;
+        Vec3 t = friction[k] - tangential(u, m.normal) * p.tangent_mass;
+        if (length_squared(t) > square(m.material.friction_static * l)) {
+          t *= m.material.friction_dynamic * l / length(t);
+        }
+        apply(a, b, p, m.normal * dl + (t - friction[k]));
+        change = max(change, max(abs(dl) / p.normal_mass, length(t - friction[k]) / p.tangent_mass));
+        normal[k] = l, friction[k] = t;
+      }
+      if (change <= Real(1e-6) * speed) break;
+    }
+    report_.point_passes += m.count;
+    Real work = 0, scale_of_work = 0;
+    for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
+      PointRow& p = m.points[k];
+      const Vec3 impulse = m.normal * normal[k] + friction[k];
+      work += dot(impulse, before[k] + relative_velocity(a, b, p)) * Real(0.5);
+      scale_of_work += abs(dot(impulse, before[k]));
+      p.hit |= normal[k] > 0;
+    }
+    return work > Real(1e-5) * scale_of_work ? work : Real(0);
+  }
+
+  // Option friction_per_increment: (4.10), (4.11) as written, each increment against its own cone. It serves to show
+  // what goes wrong: a train moves that static friction should hold.
+  void strike_as_written(ManifoldRow& m) {
+    for (int k = 0; k < m.count; ++k) {
+      PointRow& p = m.points[std::size_t(k)];
+      p.hit |= increment_as_written(m, p, m.material.restitution) > 0;
+    }
+    report_.point_passes += m.count;
+  }
+
+  Real increment_as_written(const ManifoldRow& m, const PointRow& p, Real restitution) {
+    SolverBody &a = body(m.a), &b = body(m.b);
+    const Vec3 n = m.normal, u = relative_velocity(a, b, p);
+    const Real un = dot(u, n);
+    if (un >= p.free_speed) return 0;
+    const Mat3 k = point_response(a, p.ra) + point_response(b, p.rb);
+    Vec3 impulse = inverse(k) * (n * (-restitution * un) - u);                               // (4.10) sticking
+    const Real pn = dot(impulse, n);
+    if (pn < 0 || length(tangential(impulse, n)) > m.material.friction_static * pn) {
+      const Vec3 t = normalize(tangential(u, n));
+      const Vec3 direction = n - t * m.material.friction_dynamic;
+      const Real denominator = dot(n, k * direction);
+      if (denominator <= 0) return 0;                                                        // jamming: no such impulse
+      impulse = direction * (-(1 + restitution) * un / denominator);                         // (4.11) with u_n, not Δu_n
+    }
+    apply(a, b, p, impulse);
+    return dot(impulse, n);
+  }
+
+  // --- between collisions and contacts ---
+
+  // What the contact passes aim at. A bounce won in the collisions must not be eaten by this step's gravity.
+  void aim() {
+    for (ManifoldRow& m : manifolds_) {
+      const SolverBody &a = body(m.a), &b = body(m.b);
+      Real hardest = 0;
+      const PointRow* where = nullptr;
+      for (int k = 0; k < m.count; ++k) {
+        PointRow& p = m.points[std::size_t(k)];
+        const Real bounce = -m.material.restitution * p.start;
+        p.target = p.free_speed;
+        if (p.hit && bounce > g_ * h_) p.target = min(dot(relative_velocity(a, b, p), m.normal), bounce);
+        if (p.hit && -p.start > hardest) hardest = -p.start, where = &p;
+      }
+      if (where != nullptr && hardest > 2 * g_ * h_) report_.hits.push_back({m.contact, where->ra, hardest});
+    }
+  }
+
+  void accelerate_all() {
+    std::vector<Wrench> load;
+    evaluate(in_.forces, bodies_, in_.awake, bodies_.position, bodies_.orientation, load);
+    for (const std::uint32_t i : in_.awake) {
+      SolverBody& s = body(i);
+      accelerate(bodies_, i, load[i], drag_on(in_.forces, bodies_, i), h_, s);
+      if (!is_finite(s.v) || !is_finite(s.w)) give_up(i);  // before it can infect what it touches
+    }
+  }
+
+  void give_up(std::uint32_t i) {
+    SolverBody& s = body(i);
+    s = {};
+    bodies_.quarantined[i] = 1;
+    report_.broken.push_back(i);
+  }
+
+  // --- contacts: the same formulas with restitution −1 … 0, that is 1 + e = ρ as a relaxation factor ---
+
+  void hold() {
+    warm_start();
+    const bool pushing = needs_push();
+    const Real enough = Real(1e-6) * g_ * h_;
+    for (int pass = 1; pass <= set_.contact_passes; ++pass) {
+      const Real relaxation = Real(pass) / Real(set_.contact_passes);
+      Real change = 0;
+      for (JointSolve& j : joints_in_step_) change = max(change, hold(j));
+      const auto visit = [&](ManifoldRow& m) {
+        change = max(change, set_.friction_per_increment ? hold_as_written(m, relaxation) : hold(m, relaxation));
+        if (pushing) change = max(change, push(m));
+      };
+      if (pushing) {
+        for (JointSolve& j : joints_in_step_) change = max(change, push(j));
+      }
+      if (pass % 2 == 1) for (std::size_t k = 0; k < manifolds_.size(); ++k) visit(manifolds_[k]);
+      else for (std::size_t k = manifolds_.size(); k-- > 0;) visit(manifolds_[k]);
+      ++report_.contact_passes;
+      if (change <= enough) break;
+    }
+  }
+
+  void warm_start() {
+    for (ManifoldRow& m : manifolds_) {
+      for (int k = 0; k < m.count; ++k) {
+        PointRow& p = m.points[std::size_t(k)];
+        if (p.target > 0 || set_.friction_per_increment) p.normal = 0, p.friction = {};
+        apply(body(m.a), body(m.b), p, m.normal * p.normal + p.friction);
+      }
+      report_.points += m.count;
+    }
+    for (JointSolve& j : joints_in_step_) {
+      SolverBody &a = body(j.a), &b = body(j.b);
+      for (std::size_t r = 0; r < std::size_t(j.count); ++r) j.rows[r].apply(a, b, j.impulse[r]);
+      if (j.has_low) j.low.row.apply(a, b, j.low.impulse);
+      if (j.has_high) j.high.row.apply(a, b, j.high.impulse);
+      if (j.has_drive) j.drive.row.apply(a, b, j.drive.impulse);
+    }
+  }
+
+  bool needs_push() const {
+    if (!joints_in_step_.empty() && !set_.joint_correction_in_velocity) return true;
+    for (const ManifoldRow& m : manifolds_) {
+      for (int k = 0; k < m.count; ++k) {
+        if (m.points[std::size_t(k)].push_target > 0) return true;
+      }
+    }
+    return false;
+  }
+
+  // Returns the largest change of a relative velocity, unrelaxed, m/s.
+  Real hold(ManifoldRow& m, Real relaxation) {
+    SolverBody &a = body(m.a), &b = body(m.b);
+    Real change = 0;
+    for (int k = 0; k < m.count; ++k) {
+      PointRow& p = m.points[std::size_t(k)];
+      Vec3 u = relative_velocity(a, b, p);
+      const Real correction = (dot(u, m.normal) - p.target) * p.normal_mass;
+      const Real normal = max(Real(0), p.normal - relaxation * correction);
+      const Real dn = normal - p.normal;
+      u += p.response * dn;
+      Vec3 friction = p.friction - tangential(u, m.normal) * p.tangent_mass;
+      const Real most = m.friction * normal;
+      if (length_squared(friction) > square(most)) friction *= most / length(friction);
+      const Vec3 df = friction - p.friction;
+      apply(a, b, p, m.normal * dn + df);
+      change = max(change, max(abs(dn) / (relaxation * p.normal_mass), max_component(abs(df)) / p.tangent_mass));
+      p.normal = normal, p.friction = friction;
+    }
+    report_.point_passes += m.count;
+    return change;
+  }
+
+  Real hold_as_written(ManifoldRow& m, Real relaxation) {
+    Real sum = 0;
+    for (int k = 0; k < m.count; ++k) {
+      PointRow& p = m.points[std::size_t(k)];
+      const Real impulse = increment_as_written(m, p, relaxation - 1);
+      p.normal += impulse;
+      sum = max(sum, impulse / p.normal_mass);
+    }
+    report_.point_passes += m.count;
+    return sum;
+  }
+
+  // Split impulse (4.13)–(4.15): the overlap is removed in a pseudo velocity that moves bodies and is forgotten.
+  Real push(ManifoldRow& m) {
+    SolverBody &a = body(m.a), &b = body(m.b);
+    Real change = 0;
+    for (int k = 0; k < m.count; ++k) {
+      PointRow& p = m.points[std::size_t(k)];
+      if (p.push_target <= 0) continue;
+      const Vec3 w = a.push_v + cross(a.push_w, p.ra) - b.push_v - cross(b.push_w, p.rb);
+      const Real total = max(Real(0), p.push + (p.push_target - dot(w, m.normal)) * p.normal_mass);
+      const Real dp = total - p.push;
+      const Vec3 impulse = m.normal * dp;
+      a.push_v += impulse * a.inverse_mass;
+      a.push_w += a.inverse_inertia * cross(p.ra, impulse);
+      b.push_v -= impulse * b.inverse_mass;
+      b.push_w -= b.inverse_inertia * cross(p.rb, impulse);
+      change = max(change, abs(dp) / p.normal_mass);
+      p.push = total;
+    }
+    return change;
+  }
+
+  // --- joints: p = K⁻¹(−u), all rows of a joint as one block (4.21) ---
+
+  template <int n>
+  Real solve_rows(JointSolve& j, SolverBody& a, SolverBody& b, bool pseudo, std::array<Real, 6>* keep) {
+    std::array<Real, 6> x{};
+    Real largest = 0;
+    const bool pull = pseudo || (keep != nullptr && set_.joint_correction_in_velocity);
+    for (std::size_t r = 0; r < n; ++r) {
+      const Real u = pseudo ? j.rows[r].push_speed(a, b) : j.rows[r].speed(a, b);
+      x[r] = -u - (pull ? j.bias[r] : Real(0));
+      largest = max(largest, abs(x[r]));
+    }
+    j.block.template solve<n>(x);
+    for (std::size_t r = 0; r < n; ++r) {
+      if (pseudo) j.rows[r].apply_push(a, b, x[r]);
+      else j.rows[r].apply(a, b, x[r]);
+      if (keep != nullptr) (*keep)[r] += x[r];
+    }
+    return largest;
+  }
+
+  // Returns the largest relative velocity that was left, m/s.
+  Real solve_block(JointSolve& j, SolverBody& a, SolverBody& b, bool pseudo, std::array<Real, 6>* keep) {
+    switch (j.count) {
+      case 1: return solve_rows<1>(j, a, b, pseudo, keep);
+      case 3: return solve_rows<3>(j, a, b, pseudo, keep);
+      case 5: return solve_rows<5>(j, a, b, pseudo, keep);
+      case 6: return solve_rows<6>(j, a, b, pseudo, keep);
+      default: return 0;
+    }
+  }
+
+  Real hold(JointSolve& j) {
+    SolverBody &a = body(j.a), &b = body(j.b);
+    Real change = 0;
+    const auto bounded = [&](BoundedRow& row) {
+      const Real left = row.target - row.row.speed(a, b);
+      const Real total = clamp(row.impulse + left * row.mass, row.low, row.high);
+      row.row.apply(a, b, total - row.impulse);
+      change = max(change, abs(total - row.impulse) / row.mass);
+      row.impulse = total;
+    };
+    if (j.has_drive) bounded(j.drive);
+    if (j.has_low) bounded(j.low);
+    if (j.has_high) bounded(j.high);
+    return max(change, solve_block(j, a, b, false, &j.impulse));
+  }
+
+  Real push(JointSolve& j) {
+    if (set_.joint_correction_in_velocity) return 0;
+    SolverBody &a = body(j.a), &b = body(j.b);
+    Real change = 0;
+    const auto bounded = [&](BoundedRow& row) {
+      if (row.push_target == 0) return;
+      const Real total = clamp(row.push + (row.push_target - row.row.push_speed(a, b)) * row.mass, row.low, row.high);
+      row.row.apply_push(a, b, total - row.push);
+      change = max(change, abs(total - row.push) / row.mass);
+      row.push = total;
+    };
+    if (j.has_low) bounded(j.low);
+    if (j.has_high) bounded(j.high);
+    return max(change, solve_block(j, a, b, true, nullptr));
+  }
+
+  // --- the end of the sub-step ---
+
+  void store() {
+    for (const ManifoldRow& m : manifolds_) {
+      const ActiveContact& c = in_.contacts[m.contact];
+      ContactImpulse& out = contacts_.impulse[c.slot];
+      out = {};
+      bool slipping = false;
+      for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
+        const PointRow& p = m.points[k];
+        out.normal[k] = p.normal;
+        out.friction[k] = p.friction;
+        slipping |= p.normal > 0 && length(p.friction) >= Real(0.999) * m.friction * p.normal;
+      }
+      contacts_.slipping[c.slot] = slipping ? 1 : 0;
+    }
+    for (const JointSolve& j : joints_in_step_) {
+      joints_.impulse[j.joint] = {j.impulse, j.low.impulse, j.high.impulse, j.drive.impulse};
+    }
+  }
+
+  // (4.16) x += h (v + v_bias), and the exponential map for the turn.
+  void move() {
+    std::vector<std::uint8_t> integrated(bodies_.size(), 0);
+    for (const std::uint32_t i : in_.smooth) integrated[i] = 1;
+    runge_kutta_4(bodies_, in_.forces, in_.smooth, h_);
+    for (std::size_t k = 0; k < in_.awake.size(); ++k) {
+      const std::uint32_t i = in_.awake[k];
+      if (integrated[i] != 0 || bodies_.quarantined[i] != 0) continue;
+      const SolverBody& s = body(i);
+      if (!is_finite(s.v) || !is_finite(s.w) || !is_finite(s.push_v) || !is_finite(s.push_w)) give_up(i);
+      else drift(bodies_, i, s, before_[k], h_);
+    }
+    for (const std::uint32_t i : in_.kinematic) {
+      bodies_.position[i] = bodies_.position[i] + bodies_.velocity[i] * h_;
+      bodies_.orientation[i] = normalize(rotation(bodies_.spin[i] * h_) * bodies_.orientation[i]);
+    }
+  }
+
+  const SolveInput& in_;
+  const Impulse2007& set_;
+  Bodies& bodies_;
+  Joints& joints_;
+  Contacts& contacts_;
+  SolveReport& report_;
+  Real h_, g_;
+  Real fastest_ = 0;  // approach at the start, m/s
+  std::vector<SolverBody> solver_;
+  std::vector<Vec3> before_;  // ω of the awake bodies before impulses
+  std::vector<ManifoldRow> manifolds_;
+  std::vector<JointSolve> joints_in_step_;
+};
+
+}
+
+void impulse_2007(const SolveInput& input, Bodies& bodies, Joints& joints, Contacts& contacts, SolveReport& report) {
+  SubStep(input, bodies, joints, contacts, report).run();
+}
+
+}

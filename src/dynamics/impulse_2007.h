@@ -1,0 +1,50 @@
+// impulse_2007: the solver of the thesis (M. Tintor 2007, ch. 4), with its mistakes corrected (docs/thesis.md). One thread,
+// written to be read beside the thesis. One call is one sub-step of length h, contacts detected:
+//   collisions (N₁ passes, old velocities, true restitution) → external forces → velocities →
+//   contacts (N₂ passes, restitution −1 … 0) → positions with real + pseudo velocity.
+// Collisions come before the forces, so a resting body never sees a bounce made by gravity: no restitution threshold.
+#pragma once
+
+#include "collision/narrow/manifold.h"
+#include "dynamics/contacts.h"
+#include "dynamics/forces.h"
+#include "dynamics/joints.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+// A touching pair of which at least one side moves.
+struct ActiveContact {
+  std::uint32_t a, b;                // body slots
+  std::uint32_t slot;                // in Contacts
+  const Manifold* manifold;          // points relative to the origin of a's shape, world axes
+  std::array<std::int8_t, 4> match;  // for each point the point of the last sub-step with the same feature, or −1
+  PairMaterial material;
+};
+
+struct SolveInput {
+  const Config& config;
+  Real h;                                  // s
+  const Forces& forces;
+  std::span<const ActiveContact> contacts; // in the order in which they are solved
+  std::span<const std::uint32_t> joints;
+  std::span<const std::uint32_t> awake;    // dynamic bodies, ascending
+  std::span<const std::uint32_t> smooth;   // those of them for Runge–Kutta: no contacts, no joints
+  std::span<const std::uint32_t> kinematic;
+};
+
+struct SolveReport {
+  struct Hit {
+    std::uint32_t contact;  // number in the input
+    Vec3 at;                // relative to a's centre of mass
+    Real speed;             // of approach, m/s
+  };
+  std::vector<Hit> hits;
+  std::vector<std::uint32_t> broken;       // bodies that turned non-finite and were put back
+  std::int64_t collision_passes = 0, contact_passes = 0, points = 0, point_passes = 0;
+  double passes_microseconds = 0;
+};
+
+// Advances bodies and impulses by one sub-step.
+void impulse_2007(const SolveInput&, Bodies&, Joints&, Contacts&, SolveReport&);
+
+}

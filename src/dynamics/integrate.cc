@@ -1,0 +1,93 @@
+#include "dynamics/integrate.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+Vec3 spin_at(const Bodies& b, std::uint32_t i, const Quat& q, const Vec3& angular_momentum) {
+  return rotate(q, scale(rotate_back(q, angular_momentum), b.inverse_inertia[i]));
+}
+
+}
+
+Vec3 spin_of(const Bodies& b, std::uint32_t i) { return spin_at(b, i, b.orientation[i], b.angular_momentum[i]); }
+
+void accelerate(const Bodies& b, std::uint32_t i, const Wrench& load, const DragRates& drag, Real h, SolverBody& body) {
+  body.v += load.force * (b.inverse_mass[i] * h);
+  if (load.torque != Vec3{}) body.w += body.inverse_inertia * load.torque * h;
+  const Real rate = drag.linear + drag.quadratic * length(body.v);
+  const Real angular_rate = drag.angular + drag.angular_quadratic * length(body.w);
+  if (rate > 0) body.v *= 1 / (1 + h * rate);
+  if (angular_rate > 0) body.w *= 1 / (1 + h * angular_rate);
+}
+
+void drift(Bodies& b, std::uint32_t i, const SolverBody& body, const Vec3& spin_before, Real h) {
+  b.velocity[i] = body.v;
+  b.position[i] = b.position[i] + (body.v + body.push_v) * h;
+  b.angular_momentum[i] += b.inertia_world(i) * (body.w - spin_before);
+  const Rotation r = rotate_freely(b.orientation[i], b.angular_momentum[i], b.inertia[i], b.inverse_inertia[i], h);
+  b.orientation[i] = r.orientation;
+  if (body.push_w != Vec3{}) b.orientation[i] = normalize(rotation(body.push_w * h) * r.orientation);
+  b.spin[i] = spin_of(b, i);
+}
+
+void runge_kutta_4(Bodies& b, const Forces& forces, std::span<const std::uint32_t> which, Real h) {
+  struct Rate {
+    Vec3 v, a;      // ẋ, v̇
+    Quat q;         // q̇
+    Vec3 torque;    // L̇
+  };
+  const std::size_t n = which.size();
+  std::vector<Pos> position = b.position;  // by slot: others are seen where they are
+  std::vector<Quat> orientation = b.orientation;
+  std::vector<Vec3> velocity(n), momentum(n);
+  std::vector<Rate> sum(n), rate(n);
+  std::vector<Wrench> load;
+  for (std::size_t k = 0; k < n; ++k) velocity[k] = b.velocity[which[k]], momentum[k] = b.angular_momentum[which[k]];
+
+  const auto measure = [&] {
+    evaluate(forces, b, which, position, orientation, load);
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::uint32_t i = which[k];
+      const DragRates drag = drag_on(forces, b, i);
+      const Vec3 v = velocity[k], w = spin_at(b, i, orientation[i], momentum[k]);
+      const Real linear = drag.linear + drag.quadratic * length(v);
+      const Real angular = drag.angular + drag.angular_quadratic * length(w);
+      const Quat spin{w.x, w.y, w.z, 0}, q = spin * orientation[i];
+      rate[k] = {v, load[i].force * b.inverse_mass[i] - v * linear,
+                 {q.x * Real(0.5), q.y * Real(0.5), q.z * Real(0.5), q.w * Real(0.5)},
+                 load[i].torque - momentum[k] * angular};
+    }
+  };
+  const auto moved = [](const Quat& q, const Quat& r, Real s) {
+    return Quat{q.x + r.x * s, q.y + r.y * s, q.z + r.z * s, q.w + r.w * s};
+  };
+  constexpr Real weight[] = {Real(1.0 / 6), Real(1.0 / 3), Real(1.0 / 3), Real(1.0 / 6)};
+  constexpr Real next[] = {Real(0.5), Real(0.5), 1, 0};  // where the following rate is measured
+  for (int stage = 0; stage < 4; ++stage) {
+    measure();
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::uint32_t i = which[k];
+      Rate& s = sum[k];
+      const Rate& r = rate[k];
+      if (stage == 0) s.q = {0, 0, 0, 0};
+      s.v += r.v * weight[stage], s.a += r.a * weight[stage], s.torque += r.torque * weight[stage];
+      s.q = moved(s.q, r.q, weight[stage]);
+      const Real step = h * next[stage];
+      position[i] = b.position[i] + r.v * step;
+      velocity[k] = b.velocity[i] + r.a * step;
+      orientation[i] = normalize(moved(b.orientation[i], r.q, step));
+      momentum[k] = b.angular_momentum[i] + r.torque * step;
+    }
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint32_t i = which[k];
+    b.position[i] = b.position[i] + sum[k].v * h;
+    b.velocity[i] += sum[k].a * h;
+    b.orientation[i] = normalize(moved(b.orientation[i], sum[k].q, h));
+    b.angular_momentum[i] += sum[k].torque * h;
+    b.spin[i] = spin_of(b, i);
+  }
+}
+
+}

@@ -1,0 +1,157 @@
+#include "dynamics/joints.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+static_assert(sizeof(JointImpulse) == 9 * sizeof(Real) && sizeof(Limit) == 2 * sizeof(Real), "saved as bytes");
+
+namespace {
+
+// A joint is the list of its parts, with at most one free coordinate; nothing else in this file knows a joint's kind.
+struct Nothing {};
+template <class Coordinate, class... Parts>
+struct Assembly {
+  static void fill(const JointFrame& f, JointRows& out) {
+    (
+        [&] {
+          Parts::fill(f, out.rows.data() + out.count);
+          out.count += Parts::rows;
+        }(),
+        ...);
+    if constexpr (!std::is_same_v<Coordinate, Nothing>) {
+      out.free = true;
+      out.angle = Coordinate::angle;
+      out.rate = Coordinate::row(f);
+      out.value = Coordinate::value(f);
+    }
+  }
+};
+Assembly<Nothing, Distance> parts_of(const Bar&);
+Assembly<Span> parts_of(const Rope&);
+Assembly<Nothing, Point> parts_of(const Ball&);
+Assembly<Twist, Point, Align> parts_of(const Hinge&);
+Assembly<Travel, Slide, Lock> parts_of(const Slider&);
+Assembly<Nothing, Point, Lock> parts_of(const Fixed&);
+Assembly<Nothing, Offset> parts_of(const Plane&);
+
+// The joint's frame in world axes at creation: x along its axis.
+Quat basis_along(const Vec3& axis) {
+  const Vec3 x = normalize(axis), y = any_perpendicular(x);
+  return quaternion(Mat3{x, y, cross(x, y)});
+}
+
+Real distance(const Pos& p, const Pos& q) { return length(p - q); }
+
+struct Placement {
+  Pos at_a, at_b;
+  Vec3 axis{1, 0, 0};
+  Limit limit;
+};
+Placement placement(const Bar& d) { return {d.at_a, d.at_b, {1, 0, 0}, {distance(d.at_a, d.at_b), 0}}; }
+Placement placement(const Rope& d) {
+  return {d.at_a, d.at_b, {1, 0, 0}, {-Limit{}.high, d.length > 0 ? d.length : distance(d.at_a, d.at_b)}};
+}
+Placement placement(const Ball& d) { return {d.at, d.at, {1, 0, 0}, {}}; }
+Placement placement(const Fixed& d) { return {d.at, d.at, {1, 0, 0}, {}}; }
+Placement placement(const Plane& d) { return {d.at, d.at, d.normal, {}}; }
+Placement placement(const Hinge& d) { return {d.at, d.at, d.axis, d.limit}; }
+Placement placement(const Slider& d) { return {d.at, d.at, d.axis, d.limit}; }
+
+Vec3 arm(const Bodies& bodies, std::uint32_t body, const Vec3& anchor) {
+  return body == no_body ? Vec3{} : rotate(bodies.orientation[body], anchor);
+}
+Pos anchor(const Joints& j, const Bodies& bodies, std::uint32_t i, std::uint32_t body, const Vec3& local) {
+  return body == no_body ? j.ground[i] : bodies.position[body] + arm(bodies, body, local);
+}
+
+JointFrame frame_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
+  const std::uint32_t a = j.a[i], b = j.b[i];
+  JointFrame f;
+  f.ra = arm(bodies, a, j.anchor_a[i]);
+  f.rb = arm(bodies, b, j.anchor_b[i]);
+  f.gap = anchor_a(j, bodies, i) - anchor_b(j, bodies, i);
+  f.turn_a = a == no_body ? j.basis_a[i] : bodies.orientation[a] * j.basis_a[i];
+  f.turn_b = b == no_body ? j.basis_b[i] : bodies.orientation[b] * j.basis_b[i];
+  f.basis_a = matrix(f.turn_a);
+  f.basis_b = matrix(f.turn_b);
+  f.length = j.limit[i].low;  // of a bar
+  return f;
+}
+
+}
+
+std::uint32_t Joints::add(const JointDef& def, const Bodies& bodies) {
+  const std::uint32_t i = slots.take();
+#define JOINT_FIELD(type, name, unit, stage) \
+  if (i == name.size()) name.emplace_back(); else name[i] = type{};
+#include "dynamics/fields.def"
+  if (i == definition.size()) definition.emplace_back();
+  definition[i] = def;
+  a[i] = body_a(def).index;  // a null handle's index is no_body
+  b[i] = body_b(def).index;
+  const Placement p = std::visit([](const auto& d) { return placement(d); }, def);
+  const Quat basis = basis_along(p.axis);
+  const auto attach = [&](std::uint32_t body, const Pos& at, Vec3& local, Quat& local_basis) {
+    if (body == no_body) {
+      ground[i] = at;
+      local_basis = basis;
+    } else {
+      local = bodies.center_pose(body).local(at);
+      local_basis = conjugate(bodies.orientation[body]) * basis;
+    }
+  };
+  attach(a[i], p.at_a, anchor_a[i], basis_a[i]);
+  attach(b[i], p.at_b, anchor_b[i], basis_b[i]);
+  limit[i] = p.limit;
+  coordinate[i] = rows_of(*this, bodies, i).value;
+  return i;
+}
+
+Pos anchor_a(const Joints& j, const Bodies& bodies, std::uint32_t i) { return anchor(j, bodies, i, j.a[i], j.anchor_a[i]); }
+Pos anchor_b(const Joints& j, const Bodies& bodies, std::uint32_t i) { return anchor(j, bodies, i, j.b[i], j.anchor_b[i]); }
+
+JointRows rows_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
+  const JointFrame f = frame_of(j, bodies, i);
+  JointRows rows;
+  std::visit([&](const auto& def) { decltype(parts_of(def))::fill(f, rows); }, j.definition[i]);
+  return rows;
+}
+
+Real gap_of(const JointRows& rows) {
+  Real sum = 0;
+  for (int k = 0; k < rows.count; ++k) {
+    const Row& row = rows.rows[std::size_t(k)];
+    if (row.linear != Vec3{}) sum += square(row.error);
+  }
+  return sqrt(sum);
+}
+
+const Drive* drive_of(const JointDef& def) {
+  if (const auto* hinge = std::get_if<Hinge>(&def)) return &hinge->drive;
+  if (const auto* slider = std::get_if<Slider>(&def)) return &slider->drive;
+  return nullptr;
+}
+Drive* drive_of(JointDef& def) { return const_cast<Drive*>(drive_of(std::as_const(def))); }
+
+Real unwind(Real previous, Real value) {
+  const Real turn = Real(2 * pi);
+  return value + turn * std::round((previous - value) / turn);
+}
+
+void write(Writer& w, const Joints& j) {
+  write(w, j.slots);
+#define JOINT_FIELD(type, name, unit, stage) w.array(j.name);
+#include "dynamics/fields.def"
+  for (const JointDef& def : j.definition) write(w, def);
+}
+
+void read(Reader& r, Joints& j) {
+  read(r, j.slots);
+#define JOINT_FIELD(type, name, unit, stage) \
+  r.array(j.name);                           \
+  if (j.name.size() != j.size()) throw Error("data", "has arrays of different lengths");
+#include "dynamics/fields.def"
+  j.definition.resize(j.size());
+  for (JointDef& def : j.definition) read(r, def);
+}
+
+}

@@ -1,0 +1,63 @@
+// Joints: state by slot (fields.def), and what a joint demands where it is now, as rows. Solvers consume the rows; which
+// joint it was they never ask.
+#pragma once
+
+#include "dynamics/bodies.h"
+#include "dynamics/parts.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+inline constexpr std::uint32_t no_body = 0xffffffffu;  // the world
+
+// Accumulated in the last sub-step: the block's rows, the two ends of the limit, the drive. On a; b gets the opposite.
+struct JointImpulse {
+  std::array<Real, 6> rows{};
+  Real low = 0, high = 0, drive = 0;
+};
+
+struct Joints {
+#define JOINT_FIELD(type, name, unit, stage) std::vector<type> name;
+#include "dynamics/fields.def"
+  std::vector<JointDef> definition;
+  Slots slots;
+
+  // Makes a joint of the validated definition between bodies where they are now.
+  std::uint32_t add(const JointDef& def, const Bodies& bodies);
+  void remove(std::uint32_t i) { slots.give_back(i); }
+  std::uint32_t size() const { return slots.size(); }
+  bool touches(std::uint32_t i, std::uint32_t body) const { return a[i] == body || b[i] == body; }
+
+  friend void write(Writer&, const Joints&);
+  friend void read(Reader&, Joints&);
+};
+
+// The anchors as they are now, in the world.
+Pos anchor_a(const Joints&, const Bodies&, std::uint32_t i);
+Pos anchor_b(const Joints&, const Bodies&, std::uint32_t i);
+
+// What a joint demands: `count` rows as one block, and perhaps a free coordinate with a limit and a drive.
+struct JointRows {
+  std::array<Row, 6> rows;
+  int count = 0;
+  bool free = false;   // has a coordinate
+  bool angle = false;  // which is an angle, in −2π…2π here
+  Row rate;            // the coordinate's rate
+  Real value = 0;      // and value
+};
+JointRows rows_of(const Joints&, const Bodies&, std::uint32_t i);
+
+// How far the rows' positions are off: linear rows alone, m.
+Real gap_of(const JointRows&);
+
+// The servo or motor of a joint, null where its kind has none.
+const Drive* drive_of(const JointDef&);
+Drive* drive_of(JointDef&);
+// The coordinate next to `previous` that has the same angle as `value`.
+Real unwind(Real previous, Real value);
+
+// Fields that all kinds of joints have.
+inline Body body_a(const JointDef& def) { return std::visit([](const auto& d) { return d.a; }, def); }
+inline Body body_b(const JointDef& def) { return std::visit([](const auto& d) { return d.b; }, def); }
+inline bool may_collide(const JointDef& def) { return std::visit([](const auto& d) { return d.collide; }, def); }
+
+}
