@@ -32,6 +32,8 @@ struct UnitLength {};  // a direction: must have length 1 within 1e-3
 inline constexpr UnitLength unit_length{};
 struct OrInfinite {};  // not negative, and infinity is allowed: no limit
 inline constexpr OrInfinite or_infinite{};
+struct NotNan {};  // any number, infinities too
+inline constexpr NotNan not_nan{};
 
 // --- bodies ---
 
@@ -105,8 +107,8 @@ struct Limit {
 };
 template <class V, Like<Limit> T>
 void describe(V& v, T& d) {
-  v("low", d.low, Range{-infinite, infinite});
-  v("high", d.high, Range{-infinite, infinite});
+  v("low", d.low, not_nan);
+  v("high", d.high, not_nan);
 }
 
 // What a joint's free coordinate is driven to, with at most `force` [N or N·m].

@@ -151,6 +151,7 @@ class World {
   void remove(Body);  // and its joints, forces and sensors; wakes what lay on it
   void remove(Joint);
   void remove(ForceId);
+  void remove(SensorId);
   void push(Body, const Vec3& force, const Pos& at);           // N, during the next step() only
   void place(Body, const Pose&);                               // of the shape's frame
   void set_velocity(Body, const Vec3& velocity, const Vec3& spin);

@@ -212,7 +212,7 @@ class SubStep {
     constexpr Real infinity = std::numeric_limits<Real>::infinity();
     const Limit& limit = joints_.limit[j.joint];
     const Real below = limit.low - coordinate, above = coordinate - limit.high;  // positive: beyond the limit
-    if ((j.has_low = limit.low > -infinity && demands.count + int(demands.free) > 0)) {
+    if ((j.has_low = limit.low > -infinity)) {
       bounded(j.low, stored.low, 0, infinity);
       j.low.target = min(Real(0), below / h_);
       j.low.push_target = set_.joint_correction / h_ * max(Real(0), below);

@@ -1,0 +1,115 @@
+// The inside of a World: the arrays of the lower layers side by side, and the systems that only the world calls in
+// sequence (stages.h). Everything that can change a later bit is saved (snapshot.cc); the rest is rebuilt by load.
+#pragma once
+
+#include <sudar/world.h>
+
+#include "collision/broad/broad.h"
+#include "collision/narrow/pairs.h"
+#include "dynamics/impulse_2007.h"
+#include "dynamics/islands.h"
+#include "world/geometry_store.h"
+#include "world/ops.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+// A sensor's memory: its channel's value, and what it needs of the step before.
+struct SensorMemory {
+  double value = 0;
+  Pos position;    // of a
+  Vec3d velocity;  // of a
+};
+static_assert(sizeof(SensorMemory) == 7 * sizeof(double), "saved as bytes");
+
+struct World::Impl {
+  explicit Impl(const Config& c);
+
+  // --- state ---
+  Config config;
+  Bodies bodies;
+  std::vector<std::string> body_names;  // by slot
+  Joints joints;
+  Forces forces;
+  Contacts contacts;
+  std::vector<Sensor> sensors;          // by slot, like the two below
+  std::vector<SensorMemory> sensor_memory;
+  Slots sensor_slots;
+  PairTable pairs;
+  std::vector<Proxy> proxies;           // by body slot; their fat boxes decide which pairs exist
+  std::int64_t steps = 0;
+  // time = clock_start + clock_steps · clock_step: multiplied, never summed
+  double clock_start = 0, clock_step = 0;
+  std::int64_t clock_steps = 0;
+
+  // --- outside the state ---
+  GeometryStore geometry;
+
+  // --- rebuilt, or living for one step ---
+  std::unique_ptr<BroadPhase> broad;
+  std::vector<std::uint32_t> changed;       // proxies that are new, moved or gone since the last search for pairs
+  std::vector<std::uint32_t> half_spaces;   // bodies, ascending
+  std::vector<std::uint32_t> wake_requests; // bodies touched by the user since the last step
+  std::vector<std::uint32_t> awake, smooth, kinematic, active_joints;
+  std::vector<ActiveContact> active_contacts;
+  Islands islands;
+  double h = 0;                             // length of the sub-step at work, simulated s
+  SolveReport report;
+  Events events;
+  Profile profile;
+
+  // --- recording ---
+  bool recording = false;
+  std::vector<Operation> log;               // since the last step
+  std::vector<std::uint64_t> stage_hashes;  // of the last sub-step, filled while recording
+
+  double time() const { return clock_start + double(clock_steps) * clock_step; }
+  void step(double dt);
+
+  // Validates, performs and, while recording, keeps an operation; what throws has changed nothing.
+  template <class Op>
+  auto operate(const Op& op) {
+    if constexpr (std::is_void_v<decltype(perform(op))>) {
+      perform(op);
+      if (recording) log.push_back(op);
+    } else {
+      const auto made = perform(op);
+      if (recording) log.push_back(op);
+      return made;
+    }
+  }
+  void replay(const Operation& op);
+
+  // operations.cc
+  Body perform(const AddBody&);
+  ForceId perform(const AddForce&);
+  SensorId perform(const AddSensor&);
+  Joint perform(const AddJoint&);
+  void perform(const RemoveBody&);
+  void perform(const RemoveJoint&);
+  void perform(const RemoveForce&);
+  void perform(const RemoveSensor&);
+  void perform(const Push&);
+  void perform(const Place&);
+  void perform(const SetVelocity&);
+  void perform(const SetDrive&);
+  void perform(const SetConfig&);
+  void perform(const Wake&);
+
+  // Throws Error(what, …) unless the handle is alive.
+  void require(Body, const char* what) const;
+  void require(Joint, const char* what) const;
+
+  const Geometry& geometry_of(std::uint32_t body) const { return geometry[bodies.geometry[body]].geometry(); }
+  bool is_half_space(std::uint32_t body) const { return geometry_of(body).kind == ShapeKind::half_space; }
+  void touch_proxy(std::uint32_t body, bool force);  // keeps the fat box around the body, notes a change
+  void drop_pairs(std::uint32_t body);               // forgets what it touches, and wakes that
+  void wake_island(std::uint32_t body);
+  void rebuild();                                    // everything that is a function of the state
+
+  // snapshot.cc
+  void write_state(Writer&) const;
+  void read_state(Reader&);
+  std::uint64_t hash() const;
+};
+
+}

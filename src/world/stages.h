@@ -1,0 +1,31 @@
+// The step as a table. World::step walks it once a sub-step; order, profile names and hash points come from here.
+#pragma once
+
+#include "world/impl.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+void apply_edits(World::Impl&);
+void find_pairs(World::Impl&);
+void collide(World::Impl&);
+void link(World::Impl&);
+void solve(World::Impl&);
+void refit(World::Impl&);
+void sleep(World::Impl&);
+
+struct Stage {
+  const char* name;
+  void (*run)(World::Impl&);
+};
+
+inline constexpr Stage stages[] = {
+    {"edit", apply_edits},  // user changes → wake islands
+    {"pairs", find_pairs},  // moved proxies → pairs that began to overlap, sorted
+    {"collide", collide},   // pairs, poses → manifolds, begin and end bits
+    {"link", link},         // bits in pair order → events, islands, contact rows
+    {"solve", solve},       // contacts, joints, forces → velocities, poses
+    {"refit", refit},       // poses → fat boxes, move list
+    {"sleep", sleep},       // quiet islands stop
+};
+
+}
