@@ -8,6 +8,14 @@ namespace sudar::inline SUDAR_PRECISION {
 static_assert(sizeof(Material) == 3 * sizeof(Real) && sizeof(Filter) == 12 && sizeof(Transform) == 7 * sizeof(Real),
               "arrays of these are saved as they lie in memory, so they must not have padding");
 
+namespace {
+// How far the shape reaches from the centre of mass, which lies at −shape in the shape's frame up to a turn.
+Real radius_about(const Geometry& g, const Vec3& shape) {
+  if (shape == Vec3{}) return g.bounding_radius;
+  return g.bounding_radius + length(shape);
+}
+}
+
 std::uint32_t Bodies::add(const BodyDef& def, std::uint32_t geometry_number) {
   const std::uint32_t i = slots.take();
 #define FIELD(type, name, unit, stage) \
@@ -21,12 +29,12 @@ std::uint32_t Bodies::add(const BodyDef& def, std::uint32_t geometry_number) {
   may_sleep[i] = def.sleeps ? 1 : 0;
   radius[i] = g.bounding_radius;
   if (def.shape.kind() != ShapeKind::half_space) {
-    const Principal principal = principal_frame(g.mass);
-    shape_frame[i] = inverse(principal.frame);
-    radius[i] = principal.shape_radius(g);
+    const PrincipalFrame principal = principal_frame(g.mass);
+    shape_frame[i] = principal.shape;
+    radius[i] = radius_about(g, principal.shape.p);
+    const double density = def.mass > 0 ? double(def.mass) / g.mass.volume : double(def.density);
+    mass[i] = Real(density * g.mass.volume);
     if (def.motion == Motion::dynamic) {
-      const double density = def.mass > 0 ? double(def.mass) / g.mass.volume : double(def.density);
-      mass[i] = Real(density * g.mass.volume);
       inverse_mass[i] = 1 / mass[i];
       for (int k = 0; k < 3; ++k) {
         inertia[i][k] = Real(density * principal.moments[k]);
@@ -89,7 +97,7 @@ std::vector<std::uint64_t> field_hashes(const Bodies& b) {
   {                                                                                       \
     Hasher h;                                                                             \
     for (std::uint32_t i = 0; i < b.size(); ++i) {                                        \
-      if (b.slots.used(i)) h.add(&b.name[i], sizeof(type));                               \
+      if (b.slots.used(i)) h.add(b.name[i]);                               \
     }                                                                                     \
     hashes.push_back(h.value());                                                          \
   }

@@ -147,7 +147,7 @@ class SubStep {
 
   // The impulses of the last sub-step, point by feature; friction turned into the new tangent plane.
   void recall(const ActiveContact& c, int k, const Vec3& n, PointRow& p) const {
-    const int old = set_.one_point_contact ? 0 : c.match[std::size_t(k)];
+    const int old = set_.one_point_contact ? 0 : c.manifold->points[std::size_t(k)].match;
     if (old < 0) return;
     const ContactImpulse& stored = contacts_.impulse[c.slot];
     p.normal = stored.normal[std::size_t(old)];

@@ -34,7 +34,7 @@ struct World::Impl {
   std::vector<Sensor> sensors;          // by slot, like the two below
   std::vector<SensorMemory> sensor_memory;
   Slots sensor_slots;
-  PairTable pairs;
+  std::vector<PairRow> pairs;           // sorted; `row` is a slot of contacts
   std::vector<Proxy> proxies;           // by body slot; their fat boxes decide which pairs exist
   std::int64_t steps = 0;
   // time = clock_start + clock_steps · clock_step: multiplied, never summed
@@ -47,9 +47,12 @@ struct World::Impl {
   // --- rebuilt, or living for one step ---
   std::unique_ptr<BroadPhase> broad;
   std::vector<std::uint32_t> changed;       // proxies that are new, moved or gone since the last search for pairs
-  std::vector<std::uint32_t> half_spaces;   // bodies, ascending
-  std::vector<std::uint32_t> wake_requests; // bodies touched by the user since the last step
+  std::vector<PlaneProxy> planes;           // the half spaces, ascending
+  std::vector<ProxyPair> never_touch;       // bodies joined by a joint that forbids it, sorted
   std::vector<std::uint32_t> awake, smooth, kinematic, active_joints;
+  std::vector<std::uint32_t> active_pairs;  // rows of `pairs` collided in this sub-step, ascending
+  std::vector<Pose> shape_poses;            // by body slot
+  std::vector<const Geometry*> geometries;
   std::vector<ActiveContact> active_contacts;
   Islands islands;
   double h = 0;                             // length of the sub-step at work, simulated s
@@ -103,7 +106,10 @@ struct World::Impl {
   bool is_half_space(std::uint32_t body) const { return geometry_of(body).kind == ShapeKind::half_space; }
   void touch_proxy(std::uint32_t body, bool force);  // keeps the fat box around the body, notes a change
   void drop_pairs(std::uint32_t body);               // forgets what it touches, and wakes that
+  void release(const EndedPair&);                    // of the pair table: its contact row goes, its bodies wake
   void wake_island(std::uint32_t body);
+  void wake_all();
+  void list_never_touch();
   void rebuild();                                    // everything that is a function of the state
 
   // snapshot.cc

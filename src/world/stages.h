@@ -1,11 +1,11 @@
-// The step as a table. World::step walks it once a sub-step; order, profile names and hash points come from here.
+// The step as a table. World::step walks it once a sub-step; order, profile names and hash points come from here. (User
+// changes act at once, between steps: a world that is saved between a change and its step then needs no queue.)
 #pragma once
 
 #include "world/impl.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
-void apply_edits(World::Impl&);
 void find_pairs(World::Impl&);
 void collide(World::Impl&);
 void link(World::Impl&);
@@ -19,7 +19,6 @@ struct Stage {
 };
 
 inline constexpr Stage stages[] = {
-    {"edit", apply_edits},  // user changes → wake islands
     {"pairs", find_pairs},  // moved proxies → pairs that began to overlap, sorted
     {"collide", collide},   // pairs, poses → manifolds, begin and end bits
     {"link", link},         // bits in pair order → events, islands, contact rows

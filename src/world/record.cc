@@ -1,0 +1,126 @@
+// A recording: header, title, snapshot; then per step: dt, the operations before it, hashes after it.
+#include <sudar/record.h>
+
+#include "base/hash.h"
+#include "world/impl.h"
+#include "world/stages.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+constexpr std::uint64_t magic = 0x31302e6365727573;  // "surec.01" as bytes
+constexpr std::uint32_t version = 1;
+
+// What a step led to: enough to name the first stage, field and body that differ.
+struct StepHashes {
+  std::vector<std::uint64_t> stages, fields, bodies;
+  bool operator==(const StepHashes&) const = default;
+  friend void write(Writer& w, const StepHashes& h) { w.array(h.stages), w.array(h.fields), w.array(h.bodies); }
+  friend void read(Reader& r, StepHashes& h) { r.array(h.stages), r.array(h.fields), r.array(h.bodies); }
+};
+
+std::vector<std::uint64_t> body_hashes(const Bodies& b) {
+  std::vector<std::uint64_t> hashes(b.size(), 0);
+  for (std::uint32_t i = 0; i < b.size(); ++i) {
+    if (!b.slots.used(i)) continue;
+    hashes[i] = Hasher{}.add(b.position[i]).add(b.orientation[i]).add(b.velocity[i]).add(b.angular_momentum[i]).value();
+  }
+  return hashes;
+}
+
+StepHashes hashes_of(const World::Impl& w) { return {w.stage_hashes, field_hashes(w.bodies), body_hashes(w.bodies)}; }
+
+template <class T>
+std::size_t first_difference(const std::vector<T>& a, const std::vector<T>& b) {
+  std::size_t i = 0;
+  while (i < a.size() && i < b.size() && a[i] == b[i]) ++i;
+  return i;
+}
+
+Divergence divergence(std::int64_t step, const StepHashes& was, const StepHashes& is, const Bodies& bodies) {
+  Divergence d{step, "", "", {}};
+  if (const std::size_t s = first_difference(was.stages, is.stages); s < std::size(stages)) d.stage = stages[s].name;
+  const std::vector<FieldInfo> fields = body_fields();
+  if (const std::size_t f = first_difference(was.fields, is.fields); f < fields.size()) d.field = fields[f].name;
+  const std::size_t b = first_difference(was.bodies, is.bodies);
+  if (b < bodies.size() && was.bodies != is.bodies) d.body = bodies.slots.handle<BodyTag>(std::uint32_t(b));
+  return d;
+}
+
+}
+
+Recorder::Recorder(World& world, std::string title) : world_(world) {
+  Writer w;
+  w.value(magic), w.value(version);
+  w.text(title);
+  w.array(world.save());
+  data_ = w.take();
+  world.impl().recording = true;
+  world.impl().log.clear();
+}
+
+Recorder::~Recorder() {
+  world_.impl().recording = false;
+  world_.impl().log.clear();
+}
+
+void Recorder::after_step() {
+  World::Impl& impl = world_.impl();
+  Writer w;
+  w.value(impl.clock_step / double(impl.config.time_factor));
+  w.value(std::uint64_t(impl.log.size()));
+  for (const Operation& op : impl.log) write(w, op);
+  write(w, hashes_of(impl));
+  data_.insert(data_.end(), w.bytes().begin(), w.bytes().end());
+  impl.log.clear();
+  ++steps_;
+}
+
+Bytes Recorder::bytes() const {
+  Bytes all = data_;
+  const auto* p = reinterpret_cast<const std::byte*>(&steps_);
+  all.insert(all.end(), p, p + sizeof steps_);
+  return all;
+}
+
+Replay::Replay(Bytes recording) : data_(std::move(recording)) {
+  Reader r(data_);
+  if (r.left() < sizeof magic || r.value<std::uint64_t>() != magic) throw Error("recording", "is not a recording");
+  if (const auto v = r.value<std::uint32_t>(); v != version) {
+    throw Error("version", "is " + std::to_string(v) + ", this program reads " + std::to_string(version));
+  }
+  title_ = r.text();
+  Bytes snapshot;
+  r.array(snapshot);
+  world_.load(snapshot);
+  world_.impl().recording = true;  // for the stages' hashes
+  position_ = r.position();
+  if (r.left() < sizeof steps_) throw Error("recording", "is cut short");
+  std::memcpy(&steps_, data_.data() + data_.size() - sizeof steps_, sizeof steps_);
+}
+
+bool Replay::done() const { return next_ >= steps_; }
+
+std::optional<Divergence> Replay::step(bool check) {
+  if (done()) throw Error("recording", "has no more steps");
+  Reader r(std::span(data_).subspan(position_, data_.size() - sizeof steps_ - position_));
+  const auto dt = r.value<double>();
+  for (std::size_t n = r.count(1); n > 0; --n) {
+    Operation op;
+    read(r, op);
+    world_.impl().replay(op);
+  }
+  StepHashes was;
+  read(r, was);
+  position_ += r.position();
+  world_.impl().log.clear();
+  world_.step(dt);
+  ++next_;
+  if (!check) return {};
+  const StepHashes is = hashes_of(world_.impl());
+  if (was == is) return {};
+  return divergence(next_, was, is, world_.impl().bodies);
+}
+
+}

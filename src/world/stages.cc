@@ -1,0 +1,236 @@
+#include "world/stages.h"
+
+#include <algorithm>
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+Body handle(const World::Impl& w, std::uint32_t i) { return w.bodies.slots.handle<BodyTag>(i); }
+
+// Whether the pair can change in this sub-step: somebody dynamic is in it, and somebody moves.
+bool can_change(const Bodies& b, const ProxyPair& p) {
+  return (b.dynamic(p.a) || b.dynamic(p.b)) && (b.moves(p.a) || b.moves(p.b));
+}
+
+bool touching(const PairRow& row) { return (row.manifold.bits & Manifold::touching) != 0; }
+
+// Wakes the sleeping side of a touching pair whose other side moves.
+bool wake_side(World::Impl& w, const ProxyPair& p) {
+  for (const auto [sleeper, other] : {std::pair{p.a, p.b}, std::pair{p.b, p.a}}) {
+    if (w.bodies.asleep[sleeper] == 0 || !w.bodies.moves(other)) continue;
+    w.wake_island(sleeper);
+    return true;
+  }
+  return false;
+}
+
+}
+
+void find_pairs(World::Impl& w) {
+  std::sort(w.changed.begin(), w.changed.end());
+  w.changed.erase(std::unique(w.changed.begin(), w.changed.end()), w.changed.end());
+  if (w.changed.empty()) return;
+  std::vector<ProxyPair> found, with_planes;
+  w.broad->update(w.proxies, w.changed, found);
+  find_plane_pairs(w.planes, w.proxies, w.changed, with_planes);
+  found.insert(found.end(), with_planes.begin(), with_planes.end());
+  std::sort(found.begin(), found.end());
+  std::erase_if(found, [&](const ProxyPair& p) { return std::binary_search(w.never_touch.begin(), w.never_touch.end(), p); });
+  merge_pairs(w.pairs, found);
+  std::vector<EndedPair> ended;
+  end_pairs(w.pairs, w.proxies, w.planes, ended);
+  for (const EndedPair& pair : ended) {
+    w.events.ended.push_back({handle(w, pair.key.a), handle(w, pair.key.b)});
+    w.release(pair);
+  }
+  w.changed.clear();
+}
+
+// Collides what can change; what that wakes can change too.
+void collide(World::Impl& w) {
+  const Bodies& b = w.bodies;
+  w.shape_poses.resize(b.size());
+  w.geometries.resize(b.size());
+  for (std::uint32_t i = 0; i < b.size(); ++i) {
+    if (b.slots.used(i)) w.shape_poses[i] = b.shape_pose(i), w.geometries[i] = &w.geometry_of(i);
+  }
+  const Real margin = w.config.impulse_2007.slop * w.config.length_unit;
+  std::vector<std::uint8_t> done(w.pairs.size(), 0);
+  std::vector<std::uint32_t> round;
+  w.active_pairs.clear();
+  bool woke = true;
+  while (woke) {
+    woke = false;
+    round.clear();
+    for (std::uint32_t r = 0; r < w.pairs.size(); ++r) {
+      if (done[r] == 0 && can_change(b, w.pairs[r].key)) round.push_back(r), done[r] = 1;
+    }
+    collide_pairs(w.pairs, round, w.geometries, w.shape_poses, margin);
+    for (const std::uint32_t r : round) woke |= touching(w.pairs[r]) && wake_side(w, w.pairs[r].key);
+    w.active_pairs.insert(w.active_pairs.end(), round.begin(), round.end());
+  }
+  std::sort(w.active_pairs.begin(), w.active_pairs.end());
+}
+
+namespace {
+
+// Begin and end bits → events and contact rows; touching pairs → islands and the solver's list.
+void link_contacts(World::Impl& w) {
+  const Bodies& b = w.bodies;
+  w.active_contacts.clear();
+  for (const std::uint32_t r : w.active_pairs) {
+    PairRow& row = w.pairs[r];
+    const std::uint32_t a = row.key.a, c = row.key.b;
+    if ((row.manifold.bits & Manifold::began) != 0) {
+      row.row = w.contacts.add();
+      w.events.begun.push_back({handle(w, a), handle(w, c)});
+    }
+    if ((row.manifold.bits & Manifold::ended) != 0) {
+      w.contacts.remove(row.row);
+      row.row = no_row;
+      w.events.ended.push_back({handle(w, a), handle(w, c)});
+    }
+    if (!touching(row)) continue;
+    if (b.dynamic(a) && b.dynamic(c)) w.islands.unite(a, c);
+    else w.islands.link(b.dynamic(a) ? a : c);
+    w.active_contacts.push_back({a, c, row.row, &row.manifold, mix(w.config, b.material[a], b.material[c])});
+  }
+}
+
+void link_joints(World::Impl& w) {
+  const Bodies& b = w.bodies;
+  w.active_joints.clear();
+  for (std::uint32_t j = 0; j < w.joints.size(); ++j) {
+    if (!w.joints.slots.used(j)) continue;
+    const std::uint32_t a = w.joints.a[j], c = w.joints.b[j];
+    const bool a_moves = a != no_body && b.dynamic(a), c_moves = c != no_body && b.dynamic(c);
+    if (a_moves && c_moves) w.islands.unite(a, c);
+    else if (a_moves || c_moves) w.islands.link(a_moves ? a : c);
+    if ((a_moves && b.awake(a)) || (c_moves && b.awake(c))) w.active_joints.push_back(j);
+  }
+}
+
+}
+
+void link(World::Impl& w) {
+  const Bodies& b = w.bodies;
+  w.islands.reset(b.size());
+  link_contacts(w);
+  link_joints(w);
+  w.awake.clear(), w.smooth.clear(), w.kinematic.clear();
+  for (std::uint32_t i = 0; i < b.size(); ++i) {
+    if (!b.slots.used(i)) continue;
+    if (b.motion[i] == Motion::kinematic && b.moves(i)) w.kinematic.push_back(i);
+    if (!b.awake(i)) continue;
+    w.awake.push_back(i);
+    if (w.config.integrator != Integrator::rk4 || w.islands.linked(i)) continue;
+    const DragRates drag = drag_on(w.forces, b, i);  // an explicit method needs h · rate < 1
+    const Real linear = drag.linear + drag.quadratic * length(b.velocity[i]);
+    const Real angular = drag.angular + drag.angular_quadratic * length(b.spin[i]);
+    if (Real(w.h) * max(linear, angular) < 1) w.smooth.push_back(i);
+  }
+}
+
+void solve(World::Impl& w) {
+  SolveReport& report = w.report;
+  report.hits.clear(), report.broken.clear();
+  report.points = 0;
+  impulse_2007({w.config, Real(w.h), w.forces, w.active_contacts, w.active_joints, w.awake, w.smooth, w.kinematic},
+               w.bodies, w.joints, w.contacts, report);
+  for (const SolveReport::Hit& hit : report.hits) {
+    const ActiveContact& c = w.active_contacts[hit.contact];
+    w.events.hits.push_back({handle(w, c.a), handle(w, c.b), w.bodies.position[c.a] + hit.at, c.manifold->normal, hit.speed});
+  }
+  for (const std::uint32_t i : report.broken) {
+    w.bodies.velocity[i] = w.bodies.spin[i] = w.bodies.angular_momentum[i] = {};
+    w.events.quarantined.push_back({handle(w, i), "its velocity is not finite any more"});
+  }
+}
+
+void refit(World::Impl& w) {
+  for (const std::uint32_t i : w.awake) w.touch_proxy(i, false);
+  for (const std::uint32_t i : w.kinematic) w.touch_proxy(i, false);
+}
+
+// An island sleeps when each of its bodies was quiet for 20 steps: v² and (ωR)² ≤ 10⁻⁵ (m/s)², the prototype's rule.
+void sleep(World::Impl& w) {
+  constexpr std::uint32_t enough = 20;
+  Bodies& b = w.bodies;
+  const Real limit = Real(1e-5) * square(w.config.length_unit);
+  for (const std::uint32_t i : w.awake) {
+    const bool quiet = length_squared(b.velocity[i]) <= limit && length_squared(b.spin[i]) * square(b.radius[i]) <= limit;
+    b.quiet_steps[i] = quiet ? b.quiet_steps[i] + 1 : 0;
+  }
+  if (!w.config.sleep) return;
+  std::vector<std::uint8_t> restless(b.size(), 0);
+  for (const std::uint32_t i : w.awake) {
+    if (b.quiet_steps[i] < enough || b.may_sleep[i] == 0) restless[w.islands.root(i)] = 1;
+  }
+  for (const std::uint32_t i : w.awake) {
+    const std::uint32_t root = w.islands.root(i);
+    if (restless[root] != 0 || !b.dynamic(i)) continue;
+    b.asleep[i] = 1;
+    b.sleep_island[i] = root;
+    b.velocity[i] = b.spin[i] = b.angular_momentum[i] = {};
+  }
+}
+
+namespace {
+
+void sense(World::Impl& w, double dt) {
+  for (std::uint32_t s = 0; s < w.sensor_slots.size(); ++s) {
+    if (!w.sensor_slots.used(s)) continue;
+    const Sensor& sensor = w.sensors[s];
+    SensorMemory& memory = w.sensor_memory[s];
+    const std::uint32_t a = sensor.a.index;
+    const Vec3d v = convert<double>(w.bodies.velocity[a]);
+    const Pos p = w.bodies.position[a], other = sensor.b.null() ? Pos{} : w.bodies.position[sensor.b.index];
+    const auto distance = [](const Pos& x, const Pos& y) {
+      return sqrt(square(x.x - y.x) + square(x.y - y.y) + square(x.z - y.z));
+    };
+    switch (sensor.kind) {
+      case SensorKind::acceleration: memory.value = length(v - memory.velocity) / dt; break;
+      case SensorKind::distance: memory.value = distance(p, other); break;
+      case SensorKind::maximum_speed: memory.value = max(memory.value, length(v)); break;
+      case SensorKind::odometer: memory.value += distance(p, memory.position); break;
+    }
+    memory.position = p;
+    memory.velocity = v;
+  }
+}
+
+}
+
+void World::Impl::step(double dt) {
+  if (!(dt > 0) || !std::isfinite(dt)) throw Error("dt", "is " + std::to_string(dt) + ", must be above 0");
+  events = {};
+  report = {};
+  profile.stages.clear();
+  stage_hashes.clear();
+  for (const Stage& stage : stages) profile.stages.push_back({stage.name, 0});
+  const double simulated = dt * double(config.time_factor);
+  h = simulated / config.substeps;
+  for (int n = 0; n < config.substeps; ++n) {
+    for (std::size_t s = 0; s < std::size(stages); ++s) {
+      const Timer timer;
+      stages[s].run(*this);
+      profile.stages[s].microseconds += timer.microseconds();
+      if (recording && n == config.substeps - 1) stage_hashes.push_back(hash());
+    }
+  }
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) bodies.force[i] = bodies.torque[i] = {};
+  sense(*this, simulated);
+  if (simulated != clock_step) clock_start = time(), clock_steps = 0, clock_step = simulated;
+  ++clock_steps;
+  ++steps;
+  profile.contacts = std::int64_t(active_contacts.size());
+  profile.points = report.points;
+  profile.collision_passes = report.collision_passes;
+  profile.contact_passes = report.contact_passes;
+  profile.point_passes = report.point_passes;
+  profile.solve_microseconds = report.passes_microseconds;
+  profile.awake = std::int64_t(awake.size());
+}
+
+}

@@ -1,0 +1,244 @@
+// The public functions: operations forward to Impl::operate, the rest only looks.
+#include <sudar/world.h>
+
+#include <algorithm>
+
+#include "dynamics/integrate.h"
+#include "world/impl.h"
+#include "world/validate.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+World::Impl::Impl(const Config& c) : config(c) { rebuild(); }
+
+World::World(const Config& config) {
+  validate("", config);
+  impl_ = std::make_unique<Impl>(config);
+}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+Body World::add(const BodyDef& def) { return impl_->operate(AddBody{def}); }
+ForceId World::add(const Force& def) { return impl_->operate(AddForce{def}); }
+SensorId World::add(const Sensor& def) { return impl_->operate(AddSensor{def}); }
+Joint World::join(const JointDef& def) { return impl_->operate(AddJoint{def}); }
+void World::remove(Body b) { impl_->operate(RemoveBody{b}); }
+void World::remove(Joint j) { impl_->operate(RemoveJoint{j}); }
+void World::remove(ForceId f) { impl_->operate(RemoveForce{f}); }
+void World::remove(SensorId s) { impl_->operate(RemoveSensor{s}); }
+void World::push(Body b, const Vec3& force, const Pos& at) { impl_->operate(Push{b, force, at}); }
+void World::place(Body b, const Pose& pose) { impl_->operate(Place{b, pose.p, pose.q}); }
+void World::set_velocity(Body b, const Vec3& v, const Vec3& spin) { impl_->operate(SetVelocity{b, v, spin}); }
+void World::set_drive(Joint j, const Drive& drive) { impl_->operate(SetDrive{j, drive}); }
+void World::set_config(const Config& config) { impl_->operate(SetConfig{config}); }
+void World::wake(Body b) { impl_->operate(Wake{b}); }
+
+const Events& World::step() { return step(impl_->config.dt); }
+const Events& World::step(double dt) {
+  impl_->step(dt);
+  return impl_->events;
+}
+
+// --- looking ---
+
+const Config& World::config() const { return impl_->config; }
+double World::time() const { return impl_->time(); }
+std::int64_t World::steps() const { return impl_->steps; }
+const Events& World::events() const { return impl_->events; }
+const Profile& World::profile() const { return impl_->profile; }
+bool World::alive(Body b) const { return impl_->bodies.slots.alive(b); }
+bool World::alive(Joint j) const { return impl_->joints.slots.alive(j); }
+
+namespace {
+template <class Tag>
+std::vector<Handle<Tag>> all(const Slots& slots) {
+  std::vector<Handle<Tag>> handles;
+  for (std::uint32_t i = 0; i < slots.size(); ++i) {
+    if (slots.used(i)) handles.push_back(slots.handle<Tag>(i));
+  }
+  return handles;
+}
+}
+
+std::vector<Body> World::bodies() const { return all<BodyTag>(impl_->bodies.slots); }
+std::vector<Joint> World::joints() const { return all<JointTag>(impl_->joints.slots); }
+std::vector<ForceId> World::forces() const { return all<ForceTag>(impl_->forces.slots); }
+std::vector<SensorId> World::sensors() const { return all<SensorTag>(impl_->sensor_slots); }
+
+Body World::find(std::string_view name) const {
+  for (const Body b : bodies()) {
+    if (impl_->body_names[b.index] == name) return b;
+  }
+  return {};
+}
+
+BodyView World::operator[](Body b) const {
+  impl_->require(b, "body");
+  return {this, b.index};
+}
+JointView World::operator[](Joint j) const {
+  impl_->require(j, "joint");
+  return {this, j.index};
+}
+const Force& World::operator[](ForceId f) const {
+  if (!impl_->forces.slots.alive(f)) throw Error("force", "is dead");
+  return impl_->forces.definition[f.index];
+}
+const Sensor& World::operator[](SensorId s) const {
+  if (!impl_->sensor_slots.alive(s)) throw Error("sensor", "is dead");
+  return impl_->sensors[s.index];
+}
+double World::value(SensorId s) const {
+  if (!impl_->sensor_slots.alive(s)) throw Error("sensor", "is dead");
+  return impl_->sensor_memory[s.index].value;
+}
+
+// --- bodies ---
+
+Pose BodyView::pose() const { return world_->impl().bodies.shape_pose(index_); }
+Pos BodyView::center() const { return world_->impl().bodies.position[index_]; }
+Vec3 BodyView::velocity() const { return world_->impl().bodies.velocity[index_]; }
+Vec3 BodyView::spin() const { return world_->impl().bodies.spin[index_]; }
+Vec3 BodyView::angular_momentum() const { return world_->impl().bodies.angular_momentum[index_]; }
+Vec3 BodyView::velocity_at(const Pos& point) const { return velocity() + cross(spin(), point - center()); }
+Real BodyView::mass() const { return world_->impl().bodies.mass[index_]; }
+Mat3 BodyView::inertia() const { return world_->impl().bodies.inertia_world(index_); }
+double BodyView::kinetic_energy() const {
+  const Bodies& b = world_->impl().bodies;
+  if (!b.dynamic(index_)) return 0;
+  const Vec3d v = convert<double>(b.velocity[index_]);
+  return 0.5 * (double(b.mass[index_]) * dot(v, v) + dot(convert<double>(b.spin[index_]), convert<double>(b.angular_momentum[index_])));
+}
+const Shape& BodyView::shape() const { return world_->impl().geometry[world_->impl().bodies.geometry[index_]]; }
+const Material& BodyView::material() const { return world_->impl().bodies.material[index_]; }
+const std::string& BodyView::name() const { return world_->impl().body_names[index_]; }
+Motion BodyView::motion() const { return world_->impl().bodies.motion[index_]; }
+bool BodyView::asleep() const { return world_->impl().bodies.asleep[index_] != 0; }
+bool BodyView::quarantined() const { return world_->impl().bodies.quarantined[index_] != 0; }
+
+// --- joints ---
+
+const JointDef& JointView::definition() const { return world_->impl().joints.definition[index_]; }
+Pos JointView::anchor_a() const { return sudar::anchor_a(world_->impl().joints, world_->impl().bodies, index_); }
+Pos JointView::anchor_b() const { return sudar::anchor_b(world_->impl().joints, world_->impl().bodies, index_); }
+Real JointView::gap() const { return gap_of(rows_of(world_->impl().joints, world_->impl().bodies, index_)); }
+Real JointView::coordinate() const {
+  const Joints& j = world_->impl().joints;
+  const JointRows rows = rows_of(j, world_->impl().bodies, index_);
+  return rows.angle ? unwind(j.coordinate[index_], rows.value) : rows.value;
+}
+Wrench JointView::load() const {
+  const World::Impl& w = world_->impl();
+  const JointRows rows = rows_of(w.joints, w.bodies, index_);
+  const JointImpulse& impulse = w.joints.impulse[index_];
+  Wrench on_b;
+  const std::uint32_t b = w.joints.b[index_];
+  const Vec3 arm = b == no_body ? Vec3{} : rotate(w.bodies.orientation[b], w.joints.anchor_b[index_]);
+  const auto add = [&](const Row& row, Real lambda) {
+    if (w.h <= 0) return;
+    const Vec3 force = row.linear * (-lambda / Real(w.h));
+    on_b.force += force;
+    on_b.torque += row.angular_b * (-lambda / Real(w.h)) - cross(arm, force);
+  };
+  for (std::size_t r = 0; r < std::size_t(rows.count); ++r) add(rows.rows[r], impulse.rows[r]);
+  if (rows.free) add(rows.rate, impulse.low + impulse.high + impulse.drive);
+  return on_b;
+}
+
+// --- contacts and rays ---
+
+std::vector<Contact> World::contacts() const {
+  const Impl& w = *impl_;
+  std::vector<Contact> contacts;
+  for (const PairRow& row : w.pairs) {
+    if (row.row == no_row) continue;
+    const std::uint32_t a = row.key.a, b = row.key.b;
+    const PairMaterial material = mix(w.config, w.bodies.material[a], w.bodies.material[b]);
+    const ContactImpulse& impulse = w.contacts.impulse[row.row];
+    Contact c{w.bodies.slots.handle<BodyTag>(a), w.bodies.slots.handle<BodyTag>(b), row.manifold.normal, {},
+              row.manifold.count, material.friction_static, material.friction_dynamic, material.restitution,
+              w.contacts.slipping[row.row] != 0};
+    const Pos origin = w.bodies.shape_pose(a).p;
+    for (std::size_t k = 0; k < std::size_t(c.count); ++k) {
+      const ManifoldPoint& p = row.manifold.points[k];
+      const Real cone = material.friction_static * impulse.normal[k];
+      c.points[k] = {origin + p.at, p.separation, impulse.normal[k], impulse.friction[k],
+                     cone > 0 ? length(impulse.friction[k]) / cone : Real(0)};
+    }
+    contacts.push_back(c);
+  }
+  return contacts;
+}
+
+bool World::touching(Body a, Body b) const {
+  impl_->require(a, "a");
+  impl_->require(b, "b");
+  const ProxyPair key{min(a.index, b.index), max(a.index, b.index)};
+  const auto at = std::lower_bound(impl_->pairs.begin(), impl_->pairs.end(), key,
+                                   [](const PairRow& row, const ProxyPair& k) { return row.key < k; });
+  return at != impl_->pairs.end() && at->key == key && at->row != no_row;
+}
+
+std::optional<RayHit> World::ray_cast(const Pos& from, const Vec3& direction, Real reach) const {
+  if (!is_finite(direction) || abs(length(direction) - 1) > Real(1e-3)) throw Error("direction", "must have length 1");
+  const Impl& w = *impl_;
+  std::optional<RayHit> nearest;
+  for (std::uint32_t i = 0; i < w.bodies.size(); ++i) {
+    if (!w.bodies.slots.used(i)) continue;
+    const Pose pose = w.bodies.shape_pose(i);
+    RayOnGeometry hit;
+    const Real best = nearest ? nearest->distance : reach;
+    if (!sudar::ray_cast(w.geometry_of(i), pose.local(from), rotate_back(pose.q, direction), best, hit)) continue;
+    nearest = RayHit{w.bodies.slots.handle<BodyTag>(i), from + direction * hit.distance, rotate(pose.q, hit.normal), hit.distance};
+  }
+  return nearest;
+}
+
+// --- sums ---
+
+Energy World::energy() const {
+  Energy e;
+  for (const Body b : bodies()) e.kinetic += (*this)[b].kinetic_energy();
+  e.potential = potential_energy(impl_->forces, impl_->bodies);
+  return e;
+}
+
+Momentum World::momentum() const {
+  Momentum sum;
+  const Bodies& b = impl_->bodies;
+  for (std::uint32_t i = 0; i < b.size(); ++i) {
+    if (!b.slots.used(i) || !b.dynamic(i)) continue;
+    const Vec3d p = convert<double>(b.velocity[i]) * double(b.mass[i]);
+    const Vec3d x{b.position[i].x, b.position[i].y, b.position[i].z};
+    sum.linear += p;
+    sum.angular += cross(x, p) + convert<double>(b.angular_momentum[i]);
+  }
+  return sum;
+}
+
+Quality World::quality() const {
+  Quality q;
+  Real sum = 0;
+  int points = 0;
+  for (const PairRow& row : impl_->pairs) {
+    if (row.row == no_row) continue;
+    for (std::size_t k = 0; k < std::size_t(row.manifold.count); ++k) {
+      const Real depth = max(Real(0), -row.manifold.points[k].separation);
+      q.penetration_max = max(q.penetration_max, depth);
+      sum += depth;
+      ++points;
+    }
+  }
+  if (points > 0) q.penetration_mean = sum / Real(points);
+  sum = 0;
+  for (const Joint j : joints()) {
+    const Real gap = (*this)[j].gap();
+    q.joint_gap_max = max(q.joint_gap_max, gap);
+    sum += gap;
+  }
+  if (impl_->joints.slots.live() > 0) q.joint_gap_mean = sum / Real(impl_->joints.slots.live());
+  return q;
+}
+
+}
