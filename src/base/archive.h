@@ -21,8 +21,9 @@ concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 class Writer {
  public:
   void raw(const void* data, std::size_t size) {
-    const auto* p = static_cast<const std::byte*>(data);
-    bytes_.insert(bytes_.end(), p, p + size);
+    const std::size_t end = bytes_.size();
+    bytes_.resize(end + size);
+    if (size > 0) std::memcpy(bytes_.data() + end, data, size);
   }
   template <Number T>
   void value(T x) { raw(&x, sizeof x); }

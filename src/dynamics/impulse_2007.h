@@ -17,7 +17,6 @@ struct ActiveContact {
   std::uint32_t a, b;                // body slots
   std::uint32_t slot;                // in Contacts
   const Manifold* manifold;          // points relative to the origin of a's shape, world axes
-  std::array<std::int8_t, 4> match;  // for each point the point of the last sub-step with the same feature, or −1
   PairMaterial material;
 };
 

@@ -25,13 +25,22 @@ struct Assembly {
     }
   }
 };
-Assembly<Nothing, Distance> parts_of(const Bar&);
-Assembly<Span> parts_of(const Rope&);
-Assembly<Nothing, Point> parts_of(const Ball&);
-Assembly<Twist, Point, Align> parts_of(const Hinge&);
-Assembly<Travel, Slide, Lock> parts_of(const Slider&);
-Assembly<Nothing, Point, Lock> parts_of(const Fixed&);
-Assembly<Nothing, Offset> parts_of(const Plane&);
+template <class Definition>
+struct PartsOf;
+template <>
+struct PartsOf<Bar> : Assembly<Nothing, Distance> {};
+template <>
+struct PartsOf<Rope> : Assembly<Span> {};
+template <>
+struct PartsOf<Ball> : Assembly<Nothing, Point> {};
+template <>
+struct PartsOf<Hinge> : Assembly<Twist, Point, Align> {};
+template <>
+struct PartsOf<Slider> : Assembly<Travel, Slide, Lock> {};
+template <>
+struct PartsOf<Fixed> : Assembly<Nothing, Point, Lock> {};
+template <>
+struct PartsOf<Plane> : Assembly<Nothing, Offset> {};
 
 // The joint's frame in world axes at creation: x along its axis.
 Quat basis_along(const Vec3& axis) {
@@ -112,7 +121,7 @@ Pos anchor_b(const Joints& j, const Bodies& bodies, std::uint32_t i) { return an
 JointRows rows_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
   const JointFrame f = frame_of(j, bodies, i);
   JointRows rows;
-  std::visit([&](const auto& def) { decltype(parts_of(def))::fill(f, rows); }, j.definition[i]);
+  std::visit([&]<class Definition>(const Definition&) { PartsOf<Definition>::fill(f, rows); }, j.definition[i]);
   return rows;
 }
 

@@ -55,6 +55,7 @@ struct World::Impl {
   std::vector<const Geometry*> geometries;
   std::vector<ActiveContact> active_contacts;
   Islands islands;
+  double last_dt = 0;                       // of the last step
   double h = 0;                             // length of the sub-step at work, simulated s
   SolveReport report;
   Events events;

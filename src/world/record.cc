@@ -68,7 +68,7 @@ Recorder::~Recorder() {
 void Recorder::after_step() {
   World::Impl& impl = world_.impl();
   Writer w;
-  w.value(impl.clock_step / double(impl.config.time_factor));
+  w.value(impl.last_dt);
   w.value(std::uint64_t(impl.log.size()));
   for (const Operation& op : impl.log) write(w, op);
   write(w, hashes_of(impl));
@@ -104,7 +104,7 @@ bool Replay::done() const { return next_ >= steps_; }
 
 std::optional<Divergence> Replay::step(bool check) {
   if (done()) throw Error("recording", "has no more steps");
-  Reader r(std::span(data_).subspan(position_, data_.size() - sizeof steps_ - position_));
+  Reader r(std::span<const std::byte>(data_).subspan(position_, data_.size() - sizeof steps_ - position_));
   const auto dt = r.value<double>();
   for (std::size_t n = r.count(1); n > 0; --n) {
     Operation op;

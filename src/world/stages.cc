@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/timer.h"
+
 namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
@@ -17,12 +19,11 @@ bool touching(const PairRow& row) { return (row.manifold.bits & Manifold::touchi
 
 // Wakes the sleeping side of a touching pair whose other side moves.
 bool wake_side(World::Impl& w, const ProxyPair& p) {
-  for (const auto [sleeper, other] : {std::pair{p.a, p.b}, std::pair{p.b, p.a}}) {
-    if (w.bodies.asleep[sleeper] == 0 || !w.bodies.moves(other)) continue;
-    w.wake_island(sleeper);
-    return true;
-  }
-  return false;
+  const Bodies& b = w.bodies;
+  const std::uint32_t sleeper = b.asleep[p.a] != 0 ? p.a : p.b, other = sleeper == p.a ? p.b : p.a;
+  if (b.asleep[sleeper] == 0 || !b.moves(other)) return false;
+  w.wake_island(sleeper);
+  return true;
 }
 
 }
@@ -210,6 +211,7 @@ void World::Impl::step(double dt) {
   stage_hashes.clear();
   for (const Stage& stage : stages) profile.stages.push_back({stage.name, 0});
   const double simulated = dt * double(config.time_factor);
+  last_dt = dt;
   h = simulated / config.substeps;
   for (int n = 0; n < config.substeps; ++n) {
     for (std::size_t s = 0; s < std::size(stages); ++s) {

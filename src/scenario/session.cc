@@ -1,0 +1,158 @@
+#include <sudar/session.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "base/archive.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+// Edit distance: for "did you mean".
+std::size_t distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0u : 1u)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+constexpr std::uint64_t magic = 0x31302e6e73647573;  // "sudsn.01" as bytes
+
+}
+
+void Catalogue::add(const ScenarioEntry* entry) {
+  const std::string engine = abi_of_this_engine();
+  if (engine != entry->abi) {
+    throw Error("plugin", "was built for [" + std::string(entry->abi) + "], this engine is [" + engine + "]");
+  }
+  for (const ScenarioEntry* e : entries_) {
+    if (std::strcmp(e->name, entry->name) == 0) throw Error(entry->name, "is there twice");
+  }
+  entries_.push_back(entry);
+  std::sort(entries_.begin(), entries_.end(), [](const ScenarioEntry* a, const ScenarioEntry* b) {
+    const int order = std::strcmp(a->place, b->place);
+    return order != 0 ? order < 0 : std::strcmp(a->name, b->name) < 0;
+  });
+}
+
+const ScenarioEntry& Catalogue::find(std::string_view name) const {
+  const ScenarioEntry* nearest = nullptr;
+  for (const ScenarioEntry* e : entries_) {
+    if (name == e->name) return *e;
+    if (nearest == nullptr || distance(name, e->name) < distance(name, nearest->name)) nearest = e;
+  }
+  throw Error("scene", "'" + std::string(name) + "' does not exist" +
+                           (nearest != nullptr ? "; did you mean '" + std::string(nearest->name) + "'?" : ": there are none"));
+}
+
+KeyScript::KeyScript(std::string_view text) {
+  std::size_t i = 0;
+  while (i < text.size()) {
+    const std::size_t end = std::min(text.find(' ', i), text.size());
+    const std::string word(text.substr(i, end - i));
+    i = end + 1;
+    if (word.empty()) continue;
+    char* rest = nullptr;
+    const double time = std::strtod(word.c_str(), &rest);
+    if (rest == word.c_str() || *rest != ':' || rest[1] == '\0' || !(time >= 0) ||
+        (!entries_.empty() && time < entries_.back().first)) {
+      throw Error("keys", "'" + word + "' is not TIME:KEY+KEY or TIME:none, with times that do not fall");
+    }
+    std::vector<std::string> keys;
+    const std::string list = rest + 1;
+    for (std::size_t k = 0; k <= list.size() && list != "none";) {
+      const std::size_t plus = std::min(list.find('+', k), list.size());
+      keys.push_back(list.substr(k, plus - k));
+      k = plus + 1;
+    }
+    entries_.push_back({time, keys});
+  }
+}
+
+void KeyScript::apply(double time, Input& input) {
+  for (; next_ < entries_.size() && entries_[next_].first <= time + 1e-9; ++next_) input.set(entries_[next_].second);
+}
+
+Session::Session(const ScenarioEntry& entry, const Settings& settings)
+    : entry_(&entry), scenario_(entry.create(), entry.destroy), seconds_(settings.seconds.value_or(entry.seconds)) {
+  Params params(settings.set);
+  scenario_->params(params);
+  params.require_all_known();
+  params_ = params.entries();
+  Config config;
+  scenario_->config(config);
+  for (const auto& [path, value] : settings.config) set_field(config, path, value);
+  world_ = World(config);
+  scenario_->build(world_);
+}
+
+bool Session::done() const { return world_.time() >= seconds_ - world_.config().dt * double(world_.config().time_factor) / 2; }
+
+void Session::step() {
+  scenario_->control(world_, input);
+  input.clear_pressed();
+  const double before = world_.time();
+  world_.step();
+  check_.visit(world_.time(), world_.time() - before, true);
+  scenario_->observe(world_, check_);
+}
+
+const Check& Session::finish() {
+  const double dt = world_.config().dt * double(world_.config().time_factor);
+  check_.visit(world_.time(), dt, world_.time() >= entry_->seconds - dt / 2);
+  scenario_->check(world_, check_);
+  return check_;
+}
+
+Bytes Session::save() const {
+  Writer w;
+  w.value(magic);
+  w.text(entry_->name);
+  w.value(std::uint64_t(params_.size()));
+  for (const Params::Entry& p : params_) w.text(p.name), w.value(p.value);
+  State state;
+  scenario_->state(state);  // writes: changes nothing
+  w.array(state.bytes());
+  w.array(check_.save());
+  w.value(seconds_);
+  w.array(world_.save());
+  return w.take();
+}
+
+Session Session::load(const Catalogue& catalogue, std::span<const std::byte> bytes) {
+  Reader r(bytes);
+  if (r.left() < sizeof magic || r.value<std::uint64_t>() != magic) throw Error("data", "is not a saved run");
+  Session s;
+  s.entry_ = &catalogue.find(r.text());
+  s.scenario_ = {s.entry_->create(), s.entry_->destroy};
+  std::map<std::string, double> values;
+  for (std::size_t n = r.count(1); n > 0; --n) {
+    std::string name = r.text();
+    values[std::move(name)] = r.value<double>();
+  }
+  Params params(values);
+  s.scenario_->params(params);
+  params.require_all_known();
+  s.params_ = params.entries();
+  Bytes part;
+  r.array(part);
+  State state(part);
+  s.scenario_->state(state);
+  r.array(part);
+  s.check_.load(part);
+  s.seconds_ = r.value<double>();
+  r.array(part);
+  s.world_.load(part);
+  return s;
+}
+
+}
