@@ -17,4 +17,28 @@ void add_instance(Scene& scene, const Shape& shape, Instance instance) {
   scene.instances.push_back(instance);
 }
 
+namespace {
+
+Pose mix(const Pose& a, const Pose& b, double share) {
+  // The shorter way round: q and −q are the same turn. Between two steps the straight way is as good as the arc.
+  const Real t = Real(share);
+  const Real sign = a.q.x * b.q.x + a.q.y * b.q.y + a.q.z * b.q.z + a.q.w * b.q.w < 0 ? Real(-1) : Real(1);
+  const auto between = [&](Real from, Real to) { return from * (1 - t) + sign * to * t; };
+  const Quat q{between(a.q.x, b.q.x), between(a.q.y, b.q.y), between(a.q.z, b.q.z), between(a.q.w, b.q.w)};
+  return {a.p + (b.p - a.p) * t, normalize(q)};
+}
+
+}
+
+Scene mix(const Scene& before, const Scene& after, double share) {
+  Scene scene = after;
+  // Both lists are in the order of the bodies' numbers, so one walk finds the pairs.
+  auto old = before.instances.begin();
+  for (Instance& i : scene.instances) {
+    while (old != before.instances.end() && old->body.index < i.body.index) ++old;
+    if (old != before.instances.end() && old->body == i.body) i.pose = mix(old->pose, i.pose, share);
+  }
+  return scene;
+}
+
 }

@@ -37,6 +37,10 @@ struct Scene {
 // Colours depend only on a body's shape and number, so that a body keeps its colour all through a movie.
 Scene make_scene(const World&);
 
+// The scene between two, for drawing between two steps: bodies that are in both are where `share` (0: before, 1: after)
+// of the way has led them; all else is as in `after`.
+Scene mix(const Scene& before, const Scene& after, double share);
+
 // Adds an instance; a shape of equal content is shared. For pictures without a world.
 void add_instance(Scene&, const Shape&, Instance);
 

@@ -1,0 +1,26 @@
+// A sub-command of the program: a file of its own that adds its options to the command line and says what to do when it
+// is chosen. What it does returns the exit code: 0 all is well, 1 a check failed; bad usage or input is thrown as
+// Error.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <functional>
+
+#include "main/plugins.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+using Action = std::function<int(const Catalogue&)>;
+
+// Each makes `chosen` its own action when its name stands on the command line.
+void add_list(CLI::App&, Action& chosen);
+void add_run(CLI::App&, Action& chosen);
+void add_render(CLI::App&, Action& chosen);
+void add_replay(CLI::App&, Action& chosen);
+void add_bench(CLI::App&, Action& chosen);
+
+// Without a sub-command: runs the scenario, or all of them, and draws a picture of each into out/.
+int make_gallery(const Catalogue&, const std::string& scene);
+
+}

@@ -1,0 +1,55 @@
+// sudar list: the scenarios, with one line each, or all about them as JSON.
+#include <cstdio>
+#include <iostream>
+
+#include "main/command.h"
+#include "main/report.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+Json parameters_of(const ScenarioEntry& entry) {
+  const std::unique_ptr<Scenario, void (*)(Scenario*)> scenario(entry.create(), entry.destroy);
+  Params params;
+  scenario->params(params);
+  const char* kinds[] = {"integer", "real", "boolean"};
+  Json list = Json::array();
+  for (const Params::Entry& p : params.entries()) {
+    list.push_back({{"name", p.name},
+                    {"kind", kinds[std::size_t(p.kind)]},
+                    {"value", p.value},
+                    {"low", p.low},
+                    {"high", p.high},
+                    {"about", p.about}});
+  }
+  return list;
+}
+
+int list(const Catalogue& catalogue, bool json) {
+  if (json) {
+    Json all = Json::array();
+    for (const ScenarioEntry* e : catalogue.all()) {
+      all.push_back({{"name", e->name},
+                     {"place", e->place},
+                     {"about", e->about},
+                     {"seconds", e->seconds},
+                     {"parameters", parameters_of(*e)}});
+    }
+    std::cout << all.dump(2) << '\n';
+    return 0;
+  }
+  for (const ScenarioEntry* e : catalogue.all()) std::printf("%-16s %5g s  %s\n", e->name, e->seconds, e->about);
+  return 0;
+}
+
+}
+
+void add_list(CLI::App& app, Action& chosen) {
+  CLI::App* sub = app.add_subcommand("list", "the scenarios, with one line each");
+  const auto json = std::make_shared<bool>(false);
+  sub->add_flag("--json", *json, "all about them, with their parameters");
+  sub->callback([&chosen, json] { chosen = [json](const Catalogue& c) { return list(c, *json); }; });
+}
+
+}

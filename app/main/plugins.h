@@ -1,0 +1,31 @@
+// The scenarios that the program offers. Each is a shared library in one folder with one C entry point, sudar_scenario;
+// one that was built for another engine is refused by name with the reason, and the others are offered all the same.
+// In a build with SUDAR_STATIC_SCENARIOS they are linked in and there is no folder.
+#pragma once
+
+#include <sudar/session.h>
+
+#include <memory>
+
+namespace sudar::inline SUDAR_PRECISION {
+
+class Plugins {
+ public:
+  // `folder`: empty for the usual one, $SUDAR_SCENARIOS or ../lib/scenarios beside the program. Throws Error when a
+  // folder that was asked for cannot be read.
+  explicit Plugins(const std::string& folder);
+
+  // Every session made from it must be gone before this object is.
+  const Catalogue& catalogue() const { return catalogue_; }
+  const std::vector<std::string>& refused() const { return refused_; }  // a line for each
+
+ private:
+  struct Close {
+    void operator()(void* library) const;
+  };
+  std::vector<std::unique_ptr<void, Close>> libraries_;  // before the catalogue, which points into them
+  Catalogue catalogue_;
+  std::vector<std::string> refused_;
+};
+
+}

@@ -1,0 +1,76 @@
+#include "main/scene_options.h"
+
+#include <charconv>
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+std::pair<std::string, std::string> name_and_value(const std::string& option, const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+    throw Error(option, "\"" + text + "\" given, NAME=VALUE expected");
+  }
+  return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+double parameter(const std::string& name, const std::string& value) {
+  if (value == "true" || value == "on") return 1;
+  if (value == "false" || value == "off") return 0;
+  return parse_number("--set " + name, value);
+}
+
+}
+
+double parse_number(const std::string& what, const std::string& text) {
+  double number = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stop != end) throw Error(what, "\"" + text + "\" given, a number expected");
+  return number;
+}
+
+void SceneOptions::add_to(CLI::App& app) {
+  app.add_option("--set", set, "parameter of the scenario: NAME=VALUE; may be repeated")->allow_extra_args(false);
+  app.add_option("--config", config,
+                 "setting of the engine by its path: impulse_2007.contact_passes=20; may be repeated")
+      ->allow_extra_args(false);
+  app.add_option("--dt", dt, "length of a step, s");
+  app.add_option("--substeps", substeps, "parts of a step");
+  app.add_option("--time-factor", time_factor, "simulated seconds per second of a step");
+  app.add_option("--solver", solver, "impulse_2007");
+  app.add_option("--broad", broad, "brute");
+  app.add_flag("--no-sleep", no_sleep, "compute bodies at rest, too");
+  app.add_option("--seconds", seconds, "simulated time; else the scenario's own")->check(CLI::NonNegativeNumber);
+  app.add_option("--keys", keys, "keys held from a time on: \"0:up+left 12.5:none\"");
+}
+
+Settings SceneOptions::settings() const {
+  Settings s;
+  for (const std::string& text : set) {
+    const auto [name, value] = name_and_value("--set", text);
+    s.set[name] = parameter(name, value);
+  }
+  const std::pair<const char*, const std::string*> short_forms[] = {
+      {"dt", &dt}, {"substeps", &substeps}, {"time_factor", &time_factor}, {"solver", &solver}, {"broad", &broad}};
+  for (const auto& [path, value] : short_forms) {
+    if (!value->empty()) s.config.emplace_back(path, *value);
+  }
+  if (no_sleep) s.config.emplace_back("sleep", "false");
+  for (const std::string& text : config) s.config.push_back(name_and_value("--config", text));
+  s.seconds = seconds;
+  return s;
+}
+
+std::pair<int, int> parse_size(const std::string& text) {
+  const std::size_t cross = text.find('x');
+  if (cross != std::string::npos) {
+    const double width = parse_number("--size", text.substr(0, cross));
+    const double height = parse_number("--size", text.substr(cross + 1));
+    const auto good = [](double v) { return v >= 16 && v <= 8192 && v == double(int(v)); };
+    if (good(width) && good(height)) return {int(width), int(height)};
+  }
+  throw Error("--size", "\"" + text + "\" given, WIDTHxHEIGHT expected, each from 16 to 8192");
+}
+
+}

@@ -1,0 +1,28 @@
+// The options by which every sub-command that runs a scenario is told how.
+#pragma once
+
+#include <sudar/session.h>
+
+#include <CLI/App.hpp>
+
+namespace sudar::inline SUDAR_PRECISION {
+
+struct SceneOptions {
+  std::string scene;
+  std::vector<std::string> set, config;                  // "name=value"
+  std::string dt, substeps, time_factor, solver, broad;  // short for --config; empty: not given
+  bool no_sleep = false;
+  std::optional<double> seconds;
+  std::string keys;
+
+  void add_to(CLI::App&);     // all but the scene itself
+  Settings settings() const;  // throws Error naming the option
+};
+
+// "1280x720" → 1280, 720.
+std::pair<int, int> parse_size(const std::string&);
+
+// A number and nothing else. Throws Error naming `what`.
+double parse_number(const std::string& what, const std::string& text);
+
+}
