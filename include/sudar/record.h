@@ -33,6 +33,7 @@ class Replay {
   std::int64_t steps() const { return steps_; }
   bool done() const;
   World& world() { return world_; }
+  const World& world() const { return world_; }
   // Performs the next step; with `check`, compares with the recording.
   std::optional<Divergence> step(bool check = true);
 

@@ -157,7 +157,8 @@ struct KeyHelp {
 
 class Scenario {
  public:
-  static constexpr double seconds = 10;
+  static constexpr double seconds = 10;                  // what its checks need, simulated
+  static constexpr double picture = 2;                   // s: the moment at which a picture tells what it is about
   static constexpr const char* about = "";
   virtual ~Scenario() = default;
   virtual void params(Params&) {}
@@ -178,6 +179,7 @@ struct ScenarioEntry {
   const char* place;  // "Group/Title" in the browser
   const char* about;  // one line
   double seconds;
+  double picture;     // s
   Scenario* (*create)();
   void (*destroy)(Scenario*);
 };
@@ -223,6 +225,7 @@ const char* abi_of_this_file() {
                                             place,                                                               \
                                             Type::about,                                                         \
                                             Type::seconds,                                                       \
+                                            Type::picture,                                                       \
                                             []() -> sudar::Scenario* { return new Type; },                       \
                                             [](sudar::Scenario* s) { delete s; }};                               \
     return &entry;                                                                                               \
