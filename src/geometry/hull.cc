@@ -21,6 +21,12 @@ using Loops = std::vector<std::vector<std::uint32_t>>;
 
 Error bad_points(const char* reason) { return Error("points", reason); }
 
+// Too small to matter, and below what the exact tests can multiply.
+Vec3d without_dust(const Vec3& p) {
+  const auto clean = [](Real x) { return abs(double(x)) < 1e-60 ? 0 : double(x); };
+  return {clean(p.x), clean(p.y), clean(p.z)};
+}
+
 // The number of the point for which `measure` is largest, and that measure.
 template <class Measure>
 std::pair<std::uint32_t, double> farthest(const std::vector<Vec3d>& points, Measure measure) {
@@ -140,7 +146,7 @@ std::optional<Loops> outlines(const std::vector<HullTriangle>& triangles, const 
 std::optional<Polyhedron> polyhedron_of(std::vector<Vec3> points, double flatness, double merge) {
   for (;;) {
     std::vector<Vec3d> exact;
-    for (const Vec3& p : points) exact.push_back(convert<double>(p));
+    for (const Vec3& p : points) exact.push_back(without_dust(p));
     const std::vector<HullTriangle> triangles = triangulated_hull(exact, find_simplex(exact, flatness));
     const std::vector<std::uint32_t> group_of = group(exact, triangles, merge);
     const std::vector<std::uint32_t> corners = true_corners(points.size(), triangles, group_of);
@@ -160,7 +166,7 @@ std::optional<Polyhedron> polyhedron_of(std::vector<Vec3> points, double flatnes
 Polyhedron convex_hull(std::span<const Vec3> points) {
   if (points.size() < 4) throw bad_points("must be four or more");
   for (const Vec3& p : points) {
-    if (!is_finite(p)) throw bad_points("must be finite");
+    if (!is_finite(p) || max_component(abs(p)) > Real(1e30)) throw bad_points("must be finite and below 1e30 m");
   }
   const double flatness = flatness_tolerance(points);
   for (const double merge : {flatness, flatness / 8, flatness / 64, 0.0}) {

@@ -129,7 +129,9 @@ MassProperties measure(const Polyhedron& p) {
 double flatness_tolerance(std::span<const Vec3> vertices) {
   Real largest = 0;
   for (const Vec3& v : vertices) largest = max(largest, max_component(abs(v)));
-  return 8 * double(std::numeric_limits<Real>::epsilon()) * double(largest);
+  const double rounding =
+      max(8 * double(std::numeric_limits<Real>::epsilon()), 64 * std::numeric_limits<double>::epsilon());
+  return rounding * double(largest);
 }
 
 MassProperties complete(Polyhedron& p) {

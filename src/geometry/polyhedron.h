@@ -25,8 +25,8 @@ struct Polyhedron {
   Vec3 interior;  // a point well inside: the centre of mass
 };
 
-// Lengths that rounding may have made: what deviates from a plane by no more counts as flat. 8 roundings of the
-// largest coordinate; a vertex computed exactly and then rounded is off by less than one.
+// Lengths that rounding may have made: what deviates from a plane by no more counts as flat. A vertex computed in
+// double and rounded to Real is off by one rounding of the largest coordinate at most; this is 8, and 64 of double.
 double flatness_tolerance(std::span<const Vec3> vertices);
 
 // Fills all that follows from `vertices`, `loops` and the faces' `first` and `count`. Throws Error("faces", …) unless

@@ -1,9 +1,19 @@
 #include "geometry/primitives.h"
 
+#include "math/pair.h"
+
 namespace sudar::inline SUDAR_PRECISION {
 
+Vec3d accurate_cross(const Vec3d& a, const Vec3d& b) {
+  const auto difference = [](double p, double q, double r, double s) {  // pq − rs
+    const Pair<double> x = two_product(p, q), y = two_product(r, s);
+    return (x.hi - y.hi) + (x.lo - y.lo);
+  };
+  return {difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z), difference(a.x, b.y, a.y, b.x)};
+}
+
 Plane3 Plane3::through(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  const Vec3d normal = normalize(cross(b - a, c - a));
+  const Vec3d normal = normalize(accurate_cross(b - a, c - a));
   return {normal, dot(normal, a)};
 }
 
@@ -28,7 +38,7 @@ std::pair<Vec3d, Vec3d> closest(const Segment3& a, const Segment3& b) {
 Vec3d Polygon::area_vector() const {
   Vec3d sum;
   for (std::size_t i = 2; i < vertices_.size(); ++i) {
-    sum += cross(vertices_[i - 1] - vertices_[0], vertices_[i] - vertices_[0]);
+    sum += accurate_cross(vertices_[i - 1] - vertices_[0], vertices_[i] - vertices_[0]);
   }
   return sum * 0.5;
 }

@@ -8,6 +8,10 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
+// The cross product with a relative error of a few roundings even for nearly parallel vectors, where the plain
+// formula's differences cancel: the normal of a sliver is as good as its corners are.
+Vec3d accurate_cross(const Vec3d& a, const Vec3d& b);
+
 // The points x with normal · x = offset; the normal has length 1 and points to the positive side.
 struct Plane3 {
   Vec3d normal{0, 1, 0};

@@ -2,27 +2,19 @@
 // double is no wider than double, only float is measured.
 #include "math/trig.h"
 
+#include "unit/random.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <cstring>
 
+using sudar_test::Random;
+
 namespace {
 
 using Long = long double;
 constexpr bool wide = std::numeric_limits<Long>::digits > std::numeric_limits<double>::digits;
-
-// A generator of our own (Vigna's splitmix64), so that the inputs are the same everywhere.
-struct Random {
-  std::uint64_t state = 1;
-  std::uint64_t next() {
-    std::uint64_t z = state += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-  double fraction() { return double(next() >> 11) * 0x1p-53; }
-};
 
 template <class T>
 using Bits = std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t>;
