@@ -33,7 +33,7 @@ inline std::uint64_t load_word(const unsigned char* from, std::size_t size) {
 inline std::uint64_t hash_bytes(const void* data, std::size_t size, std::uint64_t seed = 0) {
   using namespace hash_detail;
   const auto* at = static_cast<const unsigned char*>(data);
-  std::uint64_t state = mix(seed, size);
+  std::uint64_t state = mix(seed + golden, size);
   if (size >= 32) {
     std::uint64_t stream[4] = {state, state + golden, state + 2 * golden, state + 3 * golden};
     for (; size >= 32; size -= 32, at += 32) {
