@@ -71,19 +71,19 @@ std::vector<std::uint32_t> group(const std::vector<Vec3d>& points, const std::ve
   std::uint32_t groups = 0;
   for (const std::uint32_t seed : by_size) {
     if (group_of[seed] != none) continue;
-    const auto& [a, b, c] = triangles[seed].corners;
-    const Plane3 plane = Plane3::through(points[a], points[b], points[c]);
+    const auto& corners = triangles[seed].corners;
+    const Vec3d &a = points[corners[0]], &b = points[corners[1]], &c = points[corners[2]];
+    const Plane3 plane = Plane3::through(a, b, c);
     const auto flat = [&](std::uint32_t p) {
-      return abs(plane.distance(points[p])) <= tolerance ||
-             orientation(points[a], points[b], points[c], points[p]) == 0;
+      return abs(plane.distance(points[p])) <= tolerance || orientation(a, b, c, points[p]) == 0;
     };
     group_of[seed] = groups;
     for (stack = {seed}; !stack.empty();) {
       const HullTriangle triangle = triangles[stack.back()];
       stack.pop_back();
       for (const std::uint32_t n : triangle.neighbors) {
-        const auto& corners = triangles[n].corners;
-        if (group_of[n] != none || !std::all_of(corners.begin(), corners.end(), flat)) continue;
+        const auto& others = triangles[n].corners;
+        if (group_of[n] != none || !std::all_of(others.begin(), others.end(), flat)) continue;
         group_of[n] = groups;
         stack.push_back(n);
       }
