@@ -101,6 +101,12 @@ bool clip_faces(const FacePair& pair, const Vec3& n, Real margin, Real scale, Ma
   return true;
 }
 
+Real lowest(const Manifold& m) {
+  Real low = m.points[0].separation;
+  for (int i = 1; i < m.count; ++i) low = min(low, m.points[std::size_t(i)].separation);
+  return low;
+}
+
 std::uint32_t most_along(std::span<const Polyhedron::Face> faces, const Vec3& direction) {
   std::uint32_t best = 0;
   Real best_value = dot(faces[0].normal, direction);
@@ -139,15 +145,18 @@ void contact_region(const HullView& a, const HullView& b, const Axis& axis, Real
   const std::uint32_t fb = axis.kind == Axis::face_b ? axis.b : most_along(b.faces, -n);
   const bool flat = min(dot(a.faces[fa].normal, n), -dot(b.faces[fb].normal, n)) > flat_cosine;
   const Real scale = min(a.radius, b.radius);
+  bool clipped = false;
   if (flat || axis.kind == Axis::face_a) {
-    if (clip_faces({a, b, fa, fb, true}, n, margin, scale, out)) return;
+    clipped = clip_faces({a, b, fa, fb, true}, n, margin, scale, out);
   } else if (axis.kind == Axis::face_b) {
-    if (clip_faces({b, a, fb, fa, false}, n, margin, scale, out)) return;
+    clipped = clip_faces({b, a, fb, fa, false}, n, margin, scale, out);
   }
-  // Hulls that overlap have a contact. Hulls that do not, and whose faces do not lie over each other either, are
-  // farther apart than the axis says, unless the two edges that decided it do pass each other.
+  // Hulls that overlap have a contact, even where the faces pass beside what is deepest. Hulls that do not, and whose
+  // faces do not lie over each other either, are farther apart than the axis says, unless the two edges that decided it
+  // do pass each other.
+  if (clipped && (axis.separation > 0 || lowest(out) <= axis.separation / 2 + thickness * scale)) return;
   const ManifoldPoint point = single_point(a, b, axis, margin);
-  if (point.separation < margin) out.points[std::size_t(out.count++)] = point;
+  if (point.separation < margin) out.points[0] = point, out.count = 1;
 }
 
 }
