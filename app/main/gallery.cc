@@ -23,7 +23,7 @@ struct Row {
 };
 
 Image draw(Offscreen& offscreen, const Playback& p) {
-  const Scene scene = make_scene(p.world());
+  const Scene scene = scene_of(p);
   const std::optional<Camera> own = p.camera();
   const Camera camera = own && !unset(*own) ? *own : framing(scene, double(width) / height);
   return offscreen.picture(scene, camera, {}, width, height);

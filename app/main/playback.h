@@ -6,6 +6,7 @@
 
 #include "main/scene_options.h"
 #include "view/png.h"
+#include "view/scene.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -25,6 +26,9 @@ class Playback {
     while (!over() && world().time() < time - 1e-9) step();
   }
 };
+
+// The picture of it as it is now.
+Scene scene_of(const Playback&);
 
 // A recording where there is a file of that name, else a scenario.
 std::unique_ptr<Playback> open_playback(const SceneOptions&, const Catalogue&);

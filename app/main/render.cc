@@ -54,7 +54,7 @@ void draw_picture(const RenderOptions& o, Playback& p, int width, int height) {
   if (p.world().time() < at - p.world().config().dt) {
     throw Error("--at", "the recording ends at " + std::to_string(p.world().time()) + " s");
   }
-  const Scene scene = make_scene(p.world());
+  const Scene scene = scene_of(p);
   Offscreen offscreen;
   write_png(o.out,
             offscreen.picture(scene, choose_camera(o.camera, p, scene, double(width) / height), o.style, width, height),
@@ -66,7 +66,7 @@ void draw_picture(const RenderOptions& o, Playback& p, int width, int height) {
 void draw_movie(const RenderOptions& o, Playback& p, int width, int height) {
   const double start = o.at.value_or(0), length = o.scene.seconds.value_or(p.seconds() - start);
   p.advance_to(start);
-  Scene before = make_scene(p.world()), after = before;
+  Scene before = scene_of(p), after = before;
   double before_time = p.world().time(), after_time = before_time;
   const Camera camera = choose_camera(o.camera, p, before, double(width) / height);
   Offscreen offscreen;
@@ -80,7 +80,7 @@ void draw_movie(const RenderOptions& o, Playback& p, int width, int height) {
     while (after_time < time - 1e-9 && !p.over()) {
       before = std::move(after), before_time = after_time;
       p.step();
-      after = make_scene(p.world()), after_time = p.world().time();
+      after = scene_of(p), after_time = p.world().time();
     }
     const double share =
         after_time > before_time ? std::clamp((time - before_time) / (after_time - before_time), 0.0, 1.0) : 1;

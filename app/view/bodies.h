@@ -1,4 +1,5 @@
-// The bodies of a scene as instances of meshes. Meshes are made once per shape and kept from picture to picture.
+// The bodies and links of a scene as instances of meshes. Meshes are made once per shape and kept from picture to
+// picture.
 #pragma once
 
 #include "view/instances.h"
@@ -8,7 +9,7 @@ namespace sudar::inline SUDAR_PRECISION {
 
 class Bodies {
  public:
-  // Takes all instances but half spaces. `show_sleep`: bodies asleep are pale.
+  // Takes all links and all instances but half spaces. `show_sleep`: bodies asleep are pale.
   void place(const Scene&, const Pos& eye, bool show_sleep);
   void draw() const { instances_.draw(); }
 
@@ -21,6 +22,7 @@ class Bodies {
   Instances instances_;
   std::vector<Known> known_;
   std::size_t sphere_ = instances_.add_mesh(sphere_mesh());
+  std::size_t rod_ = instances_.add_mesh(stick_mesh());
 };
 
 }

@@ -18,6 +18,15 @@ struct Vec4f {
 };
 inline Vec4f with_w(const Vec3f& v, float w) { return {v.x, v.y, v.z, w}; }
 
+// The turn (as a quaternion x, y, z, w) that takes y to `direction`, of length 1.
+inline Vec4f turn_y_to(const Vec3f& direction) {
+  const Vec3f axis = cross(Vec3f{0, 1, 0}, direction);
+  const float w = 1 + direction.y;
+  if (w < 1e-6f) return {1, 0, 0, 0};
+  const float s = 1 / sudar::sqrt(dot(axis, axis) + w * w);
+  return {axis.x * s, axis.y * s, axis.z * s, w * s};
+}
+
 struct Mat4 {
   float m[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
   float& at(int row, int column) { return m[column * 4 + row]; }

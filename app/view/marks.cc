@@ -6,15 +6,6 @@ namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
 
-// The turn that takes y to `direction` (of length 1).
-Vec4f turn_y_to(const Vec3f& direction) {
-  const Vec3f axis = cross(Vec3f{0, 1, 0}, direction);
-  const float w = 1 + direction.y;
-  if (w < 1e-6f) return {1, 0, 0, 0};
-  const float s = 1 / sudar::sqrt(dot(axis, axis) + w * w);
-  return {axis.x * s, axis.y * s, axis.z * s, w * s};
-}
-
 // Radius of a dot at this place, so that it is seen equally large everywhere.
 float dot_radius(const Vec3f& at) { return 0.0045f * length(at); }
 

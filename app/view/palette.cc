@@ -62,5 +62,6 @@ Vec3f body_colour(std::uint32_t shape_number, std::uint32_t body_number) {
 }
 
 Vec3f fixed_colour() { return linear_colour(0xa9adb3); }
+Vec3f link_colour() { return linear_colour(0x5a6068); }
 
 }

@@ -9,6 +9,7 @@ namespace sudar::inline SUDAR_PRECISION {
 
 Vec3f body_colour(std::uint32_t shape_number, std::uint32_t body_number);  // linear light
 Vec3f fixed_colour();
+Vec3f link_colour();
 
 // From sRGB as designers write it (0xRRGGBB) to linear light.
 Vec3f linear_colour(std::uint32_t srgb);

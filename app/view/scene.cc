@@ -38,6 +38,13 @@ Scene mix(const Scene& before, const Scene& after, double share) {
     while (old != before.instances.end() && old->body.index < i.body.index) ++old;
     if (old != before.instances.end() && old->body == i.body) i.pose = mix(old->pose, i.pose, share);
   }
+  if (before.links.size() == after.links.size()) {
+    const Real t = Real(share);
+    for (std::size_t n = 0; n < scene.links.size(); ++n) {
+      const Link &a = before.links[n], &b = after.links[n];
+      scene.links[n] = {a.from + (b.from - a.from) * t, a.to + (b.to - a.to) * t, b.radius};
+    }
+  }
   return scene;
 }
 

@@ -2,15 +2,17 @@
 // ground.
 uniform sampler2DShadow shadow_map;
 
-const vec3 sun_light = vec3(1.00, 0.91, 0.78) * 1.75;
+const vec3 sun_light = vec3(1.00, 0.91, 0.78) * 1.60;
 const vec3 sky_light = vec3(0.64, 0.78, 1.00) * 0.62;
 const vec3 ground_light = vec3(0.50, 0.46, 0.42) * 0.50;
 const vec3 horizon = vec3(0.62, 0.73, 0.83);
+const vec3 nadir = vec3(0.36, 0.37, 0.38);
 const vec3 zenith = vec3(0.13, 0.30, 0.60);
 
 vec3 sky(vec3 direction) {
   float up = clamp(direction.y, 0.0, 1.0);
   vec3 colour = mix(horizon, zenith, pow(up, 0.62));
+  colour = mix(colour, nadir, smoothstep(0.0, 0.5, -direction.y));  // what is seen where there is no floor
   float towards_sun = max(dot(direction, sun.xyz), 0.0);
   return colour + sun_light * (0.06 * pow(towards_sun, 6.0) + 0.10 * pow(towards_sun, 60.0));
 }
