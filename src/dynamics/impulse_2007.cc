@@ -1,5 +1,7 @@
 #include "dynamics/impulse_2007.h"
 
+#include <algorithm>
+
 #include "base/timer.h"
 #include "dynamics/integrate.h"
 
@@ -123,7 +125,6 @@ class SubStep {
     const SolverBody &a = body(c.a), &b = body(c.b);
     const Vec3 to_shape = rotate(bodies_.orientation[c.a], bodies_.shape_frame[c.a].p);
     const Vec3 apart = bodies_.position[c.a] - bodies_.position[c.b];
-    Real slip = 0;
     for (int k = 0; k < m.count; ++k) {
       const ManifoldPoint& from = manifold.points[std::size_t(k)];
       PointRow& p = m.points[std::size_t(k)];
@@ -135,13 +136,9 @@ class SubStep {
       const Vec3 u = relative_velocity(a, b, p);
       p.start = dot(u, m.normal);
       fastest_ = max(fastest_, -p.start);
-      slip = max(slip, length(tangential(u, m.normal)));
       p.push_target = set_.correction / h_ * max(Real(0), p.depth - slop());  // (4.14): a speed, not an impulse
       recall(c, k, m.normal, p);
     }
-    // Which friction holds is decided by the fastest point once a sub-step. Gravity's share in a step, times a tenth,
-    // is slow enough to count as sticking.
-    m.friction = slip <= stick_speed() ? c.material.friction_static : c.material.friction_dynamic;
     manifolds_.push_back(m);
   }
 
@@ -246,7 +243,8 @@ class SubStep {
 
   // Passes until no manifold approaches. Nothing is warm-started and nothing is kept: an impact is over at once.
   void collide() {
-    const Real least = Real(1e-5) * g_ * h_ + Real(1e-6) * fastest_;  // slower approach is rounding
+    // Slower approach is what the contact passes of the last sub-step left over, or rounding: theirs to mend, no impact.
+    const Real least = Real(0.01) * g_ * h_ + Real(1e-6) * fastest_;
     for (int pass = 0; pass < set_.collision_passes; ++pass) {
       for (JointSolve& j : joints_in_step_) stop(j);
       bool approaching = false;
@@ -281,14 +279,24 @@ class SubStep {
   void strike(ManifoldRow& m) {
     SolverBody &a = body(m.a), &b = body(m.b);
     const SolverBody a0 = a, b0 = b;
-    if (impact(m, a, b, m.material.restitution) > 0) {  // friction made energy: take the bounce away instead
+    const auto again = [&](Real restitution, Real friction) {
       a = a0, b = b0;
-      impact(m, a, b, 0);
+      return impact(m, a, b, restitution, friction);
+    };
+    // It sticks if it can: only when the static cone does not hold does it slip, under dynamic friction.
+    Real friction = m.material.friction_static;
+    Impact outcome = again(m.material.restitution, friction);
+    if (outcome.slips && m.material.friction_dynamic != friction) {
+      friction = m.material.friction_dynamic;
+      outcome = again(m.material.restitution, friction);
     }
+    if (outcome.made_energy) outcome = again(0, friction);  // friction made energy: take the bounce away instead
   }
 
-  // Returns the work of the impulses, ½ Σ p·(u⁻ + u⁺) beyond rounding.
-  Real impact(ManifoldRow& m, SolverBody& a, SolverBody& b, Real restitution) {
+  struct Impact {
+    bool slips = false, made_energy = false;
+  };
+  Impact impact(ManifoldRow& m, SolverBody& a, SolverBody& b, Real restitution, Real friction_limit) {
     std::array<Real, 4> aim{}, normal{};
     std::array<Vec3, 4> friction{}, before{};
     Real speed = 0;
@@ -309,17 +317,16 @@ class SubStep {
         const Real dl = l - normal[k];
         u += p.response * dl;
         Vec3 t = friction[k] - tangential(u, m.normal) * p.tangent_mass;
-        if (length_squared(t) > square(m.material.friction_static * l)) {
-          t *= m.material.friction_dynamic * l / length(t);
-        }
+        if (length_squared(t) > square(friction_limit * l)) t *= friction_limit * l / length(t);
         apply(a, b, p, m.normal * dl + (t - friction[k]));
         change = max(change, max(abs(dl) / p.normal_mass, length(t - friction[k]) / p.tangent_mass));
         normal[k] = l, friction[k] = t;
       }
+      report_.point_passes += m.count;
       if (change <= Real(1e-6) * speed) break;
     }
-    report_.point_passes += m.count;
-    Real work = 0, scale_of_work = 0;
+    Impact outcome;
+    Real work = 0, scale_of_work = 0;  // ½ Σ p·(u⁻ + u⁺), and its size without cancellation
     for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
       PointRow& p = m.points[k];
       const Vec3 impulse = m.normal * normal[k] + friction[k];
@@ -327,7 +334,24 @@ class SubStep {
       scale_of_work += abs(dot(impulse, before[k]));
       p.hit |= normal[k] > 0;
     }
-    return work > Real(1e-5) * scale_of_work ? work : Real(0);
+    outcome.slips = slips(std::span<const Real>(normal).first(std::size_t(m.count)), friction, friction_limit);
+    outcome.made_energy = work > Real(1e-5) * scale_of_work;
+    return outcome;
+  }
+
+  // Whether the contact as a whole is at the edge of its cone: in sum, or (turning on the spot) in every loaded point.
+  // One point at its edge says nothing: how the load is shared among points is not determined.
+  static bool slips(std::span<const Real> normal, const std::array<Vec3, 4>& friction, Real coefficient) {
+    constexpr Real nearly = Real(0.999);
+    Vec3 sum;
+    Real load = 0;
+    bool everywhere = true;
+    for (std::size_t k = 0; k < normal.size(); ++k) {
+      sum += friction[k];
+      load += normal[k];
+      everywhere &= length(friction[k]) >= nearly * coefficient * normal[k];
+    }
+    return load > 0 && (everywhere || length(sum) >= nearly * coefficient * load);
   }
 
   // Option friction_per_increment: (4.10), (4.11) as written, each increment against its own cone. It serves to show
@@ -361,9 +385,24 @@ class SubStep {
 
   // --- between collisions and contacts ---
 
+  // Static or dynamic friction is decided once a sub-step, since a decision inside the passes flickers. Who stuck goes
+  // on sticking until the static cone was reached; who slipped sticks again once it is slow. Speed alone must not decide:
+  // the foot of a turning body seems to move by ω²rh, only because its arm turned during the last sub-step.
+  Real choose_friction(const ManifoldRow& m) {
+    const bool held = std::any_of(m.points.begin(), m.points.begin() + m.count, [](const PointRow& p) { return p.normal > 0; });
+    if (held && contacts_.slipping[in_.contacts[m.contact].slot] == 0) return m.material.friction_static;
+    Real slip = 0;
+    for (int k = 0; k < m.count; ++k) {
+      const Vec3 u = relative_velocity(body(m.a), body(m.b), m.points[std::size_t(k)]);
+      slip = max(slip, length(tangential(u, m.normal)));
+    }
+    return slip <= stick_speed() ? m.material.friction_static : m.material.friction_dynamic;
+  }
+
   // What the contact passes aim at. A bounce won in the collisions must not be eaten by this step's gravity.
   void aim() {
     for (ManifoldRow& m : manifolds_) {
+      m.friction = choose_friction(m);
       const SolverBody &a = body(m.a), &b = body(m.b);
       Real hardest = 0;
       const PointRow* where = nullptr;
@@ -574,14 +613,13 @@ class SubStep {
       const ActiveContact& c = in_.contacts[m.contact];
       ContactImpulse& out = contacts_.impulse[c.slot];
       out = {};
-      bool slipping = false;
       for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
         const PointRow& p = m.points[k];
         out.normal[k] = p.normal;
         out.friction[k] = p.friction;
-        slipping |= p.normal > 0 && length(p.friction) >= Real(0.999) * m.friction * p.normal;
       }
-      contacts_.slipping[c.slot] = slipping ? 1 : 0;
+      const std::span<const Real> normal = std::span<const Real>(out.normal).first(std::size_t(m.count));
+      contacts_.slipping[c.slot] = slips(normal, out.friction, m.friction) ? 1 : 0;
     }
     for (const JointSolve& j : joints_in_step_) {
       joints_.impulse[j.joint] = {j.impulse, j.low.impulse, j.high.impulse, j.drive.impulse};
