@@ -9,9 +9,12 @@ namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
 
-// One contact point: its arms, inverse effective masses and impulses. Impulses act on a; b gets the opposite.
+// One contact point. Velocities and impulses are in the contact's frame: x along the normal from b to a, y and z
+// tangential. Impulses act on a; b gets the opposite.
 struct PointRow {
-  Vec3 ra, rb;                 // from the centres of mass, m
+  Vec3 ra, rb;                 // from the centres of mass, world axes, m
+  Mat3 arm_a, arm_b;           // ω → velocity of the point in the contact's frame
+  Mat3 turn_a, turn_b;         // I⁻¹ armᵀ: impulse → change of ω
   Vec3 response;               // K n: change of the relative velocity by a unit normal impulse
   Real normal_mass;            // 1 / nᵀKn
   Real tangent_mass;           // 1 / the larger eigenvalue of K in the tangent plane: one number for both directions,
@@ -20,19 +23,21 @@ struct PointRow {
   Real free_speed;             // min(0, depth/h): approach that closes the gap exactly is allowed
   Real start;                  // u_n before collisions, m/s
   Real target;                 // u_n that the contact passes aim at
-  Real normal = 0, push = 0;   // accumulated, N s; push: pseudo
+  Vec3 impulse;                // accumulated, N s
+  Real push = 0;               // accumulated, pseudo
   Real push_target = 0;        // pseudo speed apart, m/s
-  Vec3 friction;               // accumulated, N s
   bool hit = false;            // took part in a collision
 };
 
 struct ManifoldRow {
   std::uint32_t a, b, contact;
   int count;
-  Vec3 normal;                 // from b to a
+  Mat3 frame;                  // columns: normal from b to a, two tangents
   Real friction;               // static or dynamic, chosen once a sub-step
   PairMaterial material;
   std::array<PointRow, 4> points;
+  std::span<PointRow> rows() { return std::span(points).first(std::size_t(count)); }
+  std::span<const PointRow> rows() const { return std::span(points).first(std::size_t(count)); }
 };
 
 // A limit's end or a drive: one row with bounds.
@@ -53,24 +58,27 @@ struct JointSolve {
   bool has_low = false, has_high = false, has_drive = false;
 };
 
-// (4.8) K_a = (1/m_a) E − r̃_a I_a⁻¹ r̃_a: velocity change of the point by a unit impulse on it.
-Mat3 point_response(const SolverBody& body, const Vec3& r) {
-  const Mat3 s = Mat3::skew(r);
-  return Mat3::diagonal({body.inverse_mass, body.inverse_mass, body.inverse_mass}) - s * body.inverse_inertia * s;
+// u in the contact's frame.
+Vec3 relative_velocity(const SolverBody& a, const SolverBody& b, const Mat3& to_frame, const PointRow& p) {
+  return to_frame * (a.v - b.v) + p.arm_a * a.w - p.arm_b * b.w;
 }
 
-Vec3 relative_velocity(const SolverBody& a, const SolverBody& b, const PointRow& p) {
-  return a.v + cross(a.w, p.ra) - b.v - cross(b.w, p.rb);
+void apply(SolverBody& a, SolverBody& b, const Mat3& frame, const PointRow& p, const Vec3& impulse) {
+  const Vec3 linear = frame * impulse;
+  a.v += linear * a.inverse_mass;
+  a.w += p.turn_a * impulse;
+  b.v -= linear * b.inverse_mass;
+  b.w -= p.turn_b * impulse;
 }
 
-void apply(SolverBody& a, SolverBody& b, const PointRow& p, const Vec3& impulse) {
-  a.v += impulse * a.inverse_mass;
-  a.w += a.inverse_inertia * cross(p.ra, impulse);
-  b.v -= impulse * b.inverse_mass;
-  b.w -= b.inverse_inertia * cross(p.rb, impulse);
+// The tangential part's length, and the impulse with that part cut to `most`.
+Real slide(const Vec3& u) { return sqrt(square(u.y) + square(u.z)); }
+Vec3 within_cone(const Vec3& impulse, Real coefficient) {
+  const Real most = coefficient * impulse.x, squared = square(impulse.y) + square(impulse.z);
+  if (squared <= square(most)) return impulse;
+  const Real cut = most / sqrt(squared);
+  return {impulse.x, impulse.y * cut, impulse.z * cut};
 }
-
-Vec3 tangential(const Vec3& v, const Vec3& n) { return v - n * dot(v, n); }
 
 class SubStep {
  public:
@@ -120,46 +128,46 @@ class SubStep {
     m.a = c.a, m.b = c.b;
     m.contact = std::uint32_t(&c - in_.contacts.data());
     m.count = manifold.count;
-    m.normal = manifold.normal;
     m.material = c.material;
+    const Vec3 n = manifold.normal, t = any_perpendicular(n);
+    m.frame = {n, t, cross(n, t)};
+    const Mat3 to_frame = transpose(m.frame);
     const SolverBody &a = body(c.a), &b = body(c.b);
     const Vec3 to_shape = rotate(bodies_.orientation[c.a], bodies_.shape_frame[c.a].p);
     const Vec3 apart = bodies_.position[c.a] - bodies_.position[c.b];
-    for (int k = 0; k < m.count; ++k) {
-      const ManifoldPoint& from = manifold.points[std::size_t(k)];
-      PointRow& p = m.points[std::size_t(k)];
+    for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
+      const ManifoldPoint& from = manifold.points[k];
+      PointRow& p = m.points[k];
       p.ra = from.at + to_shape;
       p.rb = p.ra + apart;
+      p.arm_a = to_frame * Mat3::skew(-p.ra);
+      p.arm_b = to_frame * Mat3::skew(-p.rb);
+      p.turn_a = a.inverse_inertia * transpose(p.arm_a);
+      p.turn_b = b.inverse_inertia * transpose(p.arm_b);
+      masses(p, a.inverse_mass + b.inverse_mass);
       p.depth = -from.separation;
       p.free_speed = min(Real(0), p.depth / h_);
-      masses(p, m.normal, a, b);
-      const Vec3 u = relative_velocity(a, b, p);
-      p.start = dot(u, m.normal);
+      p.start = relative_velocity(a, b, to_frame, p).x;
       fastest_ = max(fastest_, -p.start);
       p.push_target = set_.correction / h_ * max(Real(0), p.depth - slop());  // (4.14): a speed, not an impulse
-      recall(c, k, m.normal, p);
+      if (set_.one_point_contact || from.match >= 0) {
+        // The impulse of the last sub-step, point by feature; friction turned into the new tangent plane.
+        const ContactImpulse& stored = contacts_.impulse[c.slot];
+        const std::size_t old = set_.one_point_contact ? 0 : std::size_t(from.match);
+        p.impulse = to_frame * stored.friction[old];
+        p.impulse.x = stored.normal[old];
+      }
     }
     manifolds_.push_back(m);
   }
 
-  // The impulses of the last sub-step, point by feature; friction turned into the new tangent plane.
-  void recall(const ActiveContact& c, int k, const Vec3& n, PointRow& p) const {
-    const int old = set_.one_point_contact ? 0 : c.manifold->points[std::size_t(k)].match;
-    if (old < 0) return;
-    const ContactImpulse& stored = contacts_.impulse[c.slot];
-    p.normal = stored.normal[std::size_t(old)];
-    p.friction = tangential(stored.friction[std::size_t(old)], n);
-  }
-
-  static void masses(PointRow& p, const Vec3& n, const SolverBody& a, const SolverBody& b) {
-    const Mat3 k = point_response(a, p.ra) + point_response(b, p.rb);
-    p.response = k * n;
-    p.normal_mass = 1 / dot(n, p.response);
-    const Vec3 t1 = any_perpendicular(n), t2 = cross(n, t1);
-    const Vec3 k1 = k * t1;
-    const Real k11 = dot(t1, k1), k12 = dot(t2, k1), k22 = dot(t2, k * t2);
-    const Real mean = (k11 + k22) * Real(0.5);
-    p.tangent_mass = 1 / (mean + sqrt(square((k11 - k22) * Real(0.5)) + square(k12)));
+  // K in the contact's frame is (1/m_a + 1/m_b) E + arm_a turn_a + arm_b turn_b, (4.8).
+  static void masses(PointRow& p, Real inverse_mass) {
+    const Mat3 k = Mat3::diagonal({inverse_mass, inverse_mass, inverse_mass}) + p.arm_a * p.turn_a + p.arm_b * p.turn_b;
+    p.response = k.c0;
+    p.normal_mass = 1 / k.c0.x;
+    const Real mean = (k.c1.y + k.c2.z) * Real(0.5);
+    p.tangent_mass = 1 / (mean + sqrt(square((k.c1.y - k.c2.z) * Real(0.5)) + square(k.c1.z)));
   }
 
   // The thesis's contact: one point, the centre of the overlap. It carries no moment, so no tower stands on it.
@@ -243,16 +251,17 @@ class SubStep {
 
   // Passes until no manifold approaches. Nothing is warm-started and nothing is kept: an impact is over at once.
   void collide() {
-    // Slower approach is what the contact passes of the last sub-step left over, or rounding: theirs to mend, no impact.
-    const Real least = Real(0.01) * g_ * h_ + Real(1e-6) * fastest_;
+    // Approach slower than a tenth of gravity's share in a step is what turning arms and the last contact passes left
+    // over: the coming contact passes mend it, no impact does.
+    const Real least = stick_speed() + Real(1e-6) * fastest_;
     for (int pass = 0; pass < set_.collision_passes; ++pass) {
       for (JointSolve& j : joints_in_step_) stop(j);
       bool approaching = false;
       for (ManifoldRow& m : manifolds_) {
+        const Mat3 to_frame = transpose(m.frame);
         bool approaches = false;
-        for (int k = 0; k < m.count; ++k) {
-          const PointRow& p = m.points[std::size_t(k)];
-          approaches |= dot(relative_velocity(body(m.a), body(m.b), p), m.normal) < p.free_speed - least;
+        for (const PointRow& p : m.rows()) {
+          approaches |= relative_velocity(body(m.a), body(m.b), to_frame, p).x < p.free_speed - least;
         }
         if (!approaches) continue;
         approaching = true;
@@ -296,91 +305,97 @@ class SubStep {
   struct Impact {
     bool slips = false, made_energy = false;
   };
-  Impact impact(ManifoldRow& m, SolverBody& a, SolverBody& b, Real restitution, Real friction_limit) {
-    std::array<Real, 4> aim{}, normal{};
-    std::array<Vec3, 4> friction{}, before{};
+  Impact impact(ManifoldRow& m, SolverBody& a, SolverBody& b, Real restitution, Real friction) {
+    const Mat3 to_frame = transpose(m.frame);
+    std::array<Real, 4> aim{};
+    std::array<Vec3, 4> impulse{}, before{};
     Real speed = 0;
-    for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
+    for (std::size_t k = 0; k < m.rows().size(); ++k) {
       const PointRow& p = m.points[k];
-      before[k] = relative_velocity(a, b, p);
-      const Real un = dot(before[k], m.normal);
+      before[k] = relative_velocity(a, b, to_frame, p);
+      const Real un = before[k].x;
       speed = max(speed, abs(un));
       aim[k] = un < p.free_speed ? -restitution * un : p.free_speed;
     }
     constexpr int most = 60;
     for (int repeat = 0; repeat < most; ++repeat) {
       Real change = 0;
-      for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
+      for (std::size_t k = 0; k < m.rows().size(); ++k) {
         const PointRow& p = m.points[k];
-        Vec3 u = relative_velocity(a, b, p);
-        const Real l = max(Real(0), normal[k] - (dot(u, m.normal) - aim[k]) * p.normal_mass);
-        const Real dl = l - normal[k];
-        u += p.response * dl;
-        Vec3 t = friction[k] - tangential(u, m.normal) * p.tangent_mass;
-        if (length_squared(t) > square(friction_limit * l)) t *= friction_limit * l / length(t);
-        apply(a, b, p, m.normal * dl + (t - friction[k]));
-        change = max(change, max(abs(dl) / p.normal_mass, length(t - friction[k]) / p.tangent_mass));
-        normal[k] = l, friction[k] = t;
+        const Vec3 u = relative_velocity(a, b, to_frame, p);
+        const Vec3 step = visit(p, u, aim[k], 1, friction, impulse[k]);
+        apply(a, b, m.frame, p, step);
+        change = max(change, size(p, step, 1));
       }
       report_.point_passes += m.count;
       if (change <= Real(1e-6) * speed) break;
     }
     Impact outcome;
     Real work = 0, scale_of_work = 0;  // ½ Σ p·(u⁻ + u⁺), and its size without cancellation
-    for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
+    for (std::size_t k = 0; k < m.rows().size(); ++k) {
       PointRow& p = m.points[k];
-      const Vec3 impulse = m.normal * normal[k] + friction[k];
-      work += dot(impulse, before[k] + relative_velocity(a, b, p)) * Real(0.5);
-      scale_of_work += abs(dot(impulse, before[k]));
-      p.hit |= normal[k] > 0;
+      work += dot(impulse[k], before[k] + relative_velocity(a, b, to_frame, p)) * Real(0.5);
+      scale_of_work += abs(dot(impulse[k], before[k]));
+      p.hit |= impulse[k].x > 0;
     }
-    outcome.slips = slips(std::span<const Real>(normal).first(std::size_t(m.count)), friction, friction_limit);
+    outcome.slips = slips(std::span<const Vec3>(impulse).first(m.rows().size()), friction);
     outcome.made_energy = work > Real(1e-5) * scale_of_work;
     return outcome;
   }
 
+  // One visit of a point whose relative velocity is u: the accumulated impulse goes where u_n would be `target`, by the
+  // share `relaxation` of the way, and where it would not slide, both as far as contact can pull or hold.
+  static Vec3 visit(const PointRow& p, const Vec3& u, Real target, Real relaxation, Real friction, Vec3& impulse) {
+    const Real normal = max(Real(0), impulse.x - relaxation * p.normal_mass * (u.x - target));
+    const Real dn = normal - impulse.x;
+    const Vec3 next = within_cone({normal, impulse.y - p.tangent_mass * (u.y + p.response.y * dn),
+                                   impulse.z - p.tangent_mass * (u.z + p.response.z * dn)}, friction);
+    const Vec3 step = next - impulse;
+    impulse = next;
+    return step;
+  }
+  // A step as the relative velocity that it answers, unrelaxed.
+  static Real size(const PointRow& p, const Vec3& step, Real relaxation) {
+    return max(abs(step.x) / (p.normal_mass * relaxation), max(abs(step.y), abs(step.z)) / p.tangent_mass);
+  }
+
   // Whether the contact as a whole is at the edge of its cone: in sum, or (turning on the spot) in every loaded point.
   // One point at its edge says nothing: how the load is shared among points is not determined.
-  static bool slips(std::span<const Real> normal, const std::array<Vec3, 4>& friction, Real coefficient) {
-    constexpr Real nearly = Real(0.999);
+  static bool slips(std::span<const Vec3> impulses, Real coefficient) {
+    const Real nearly = Real(0.999) * coefficient;
     Vec3 sum;
-    Real load = 0;
     bool everywhere = true;
-    for (std::size_t k = 0; k < normal.size(); ++k) {
-      sum += friction[k];
-      load += normal[k];
-      everywhere &= length(friction[k]) >= nearly * coefficient * normal[k];
+    for (const Vec3& p : impulses) {
+      sum += p;
+      everywhere &= slide(p) >= nearly * p.x;
     }
-    return load > 0 && (everywhere || length(sum) >= nearly * coefficient * load);
+    return sum.x > 0 && (everywhere || slide(sum) >= nearly * sum.x);
   }
 
   // Option friction_per_increment: (4.10), (4.11) as written, each increment against its own cone. It serves to show
   // what goes wrong: a train moves that static friction should hold.
   void strike_as_written(ManifoldRow& m) {
-    for (int k = 0; k < m.count; ++k) {
-      PointRow& p = m.points[std::size_t(k)];
-      p.hit |= increment_as_written(m, p, m.material.restitution) > 0;
-    }
+    for (PointRow& p : m.rows()) p.hit |= increment_as_written(m, p, m.material.restitution) > 0;
     report_.point_passes += m.count;
   }
 
   Real increment_as_written(const ManifoldRow& m, const PointRow& p, Real restitution) {
     SolverBody &a = body(m.a), &b = body(m.b);
-    const Vec3 n = m.normal, u = relative_velocity(a, b, p);
-    const Real un = dot(u, n);
-    if (un >= p.free_speed) return 0;
-    const Mat3 k = point_response(a, p.ra) + point_response(b, p.rb);
-    Vec3 impulse = inverse(k) * (n * (-restitution * un) - u);                               // (4.10) sticking
-    const Real pn = dot(impulse, n);
-    if (pn < 0 || length(tangential(impulse, n)) > m.material.friction_static * pn) {
-      const Vec3 t = normalize(tangential(u, n));
-      const Vec3 direction = n - t * m.material.friction_dynamic;
-      const Real denominator = dot(n, k * direction);
-      if (denominator <= 0) return 0;                                                        // jamming: no such impulse
-      impulse = direction * (-(1 + restitution) * un / denominator);                         // (4.11) with u_n, not Δu_n
+    const Vec3 u = relative_velocity(a, b, transpose(m.frame), p);
+    if (u.x >= p.free_speed) return 0;
+    const Real inverse_mass = a.inverse_mass + b.inverse_mass;
+    const Mat3 k = Mat3::diagonal({inverse_mass, inverse_mass, inverse_mass}) + p.arm_a * p.turn_a + p.arm_b * p.turn_b;
+    Vec3 impulse = inverse(k) * (Vec3{-restitution * u.x, 0, 0} - u);                         // (4.10) sticking
+    if (impulse.x < 0 || slide(impulse) > m.material.friction_static * impulse.x) {
+      const Real fast = slide(u);
+      const Real share = fast > 0 ? m.material.friction_dynamic / fast : Real(0);
+      const Vec3 direction{1, -share * u.y, -share * u.z};
+      const Real denominator = dot(k.c0, direction);
+      if (denominator <= 0) return 0;                                                         // jamming
+      impulse = direction * (-(1 + restitution) * u.x / denominator);                         // (4.11) with u_n, not Δu_n
     }
-    apply(a, b, p, impulse);
-    return dot(impulse, n);
+    apply(a, b, m.frame, p, impulse);
+    return impulse.x;
   }
 
   // --- between collisions and contacts ---
@@ -389,28 +404,28 @@ class SubStep {
   // on sticking until the static cone was reached; who slipped sticks again once it is slow. Speed alone must not decide:
   // the foot of a turning body seems to move by ω²rh, only because its arm turned during the last sub-step.
   Real choose_friction(const ManifoldRow& m) {
-    const bool held = std::any_of(m.points.begin(), m.points.begin() + m.count, [](const PointRow& p) { return p.normal > 0; });
+    const auto rows = m.rows();
+    const bool held = std::any_of(rows.begin(), rows.end(), [](const PointRow& p) { return p.impulse.x > 0; });
     if (held && contacts_.slipping[in_.contacts[m.contact].slot] == 0) return m.material.friction_static;
-    Real slip = 0;
-    for (int k = 0; k < m.count; ++k) {
-      const Vec3 u = relative_velocity(body(m.a), body(m.b), m.points[std::size_t(k)]);
-      slip = max(slip, length(tangential(u, m.normal)));
+    Real fastest = 0;
+    for (const PointRow& p : rows) {
+      fastest = max(fastest, slide(relative_velocity(body(m.a), body(m.b), transpose(m.frame), p)));
     }
-    return slip <= stick_speed() ? m.material.friction_static : m.material.friction_dynamic;
+    return fastest <= stick_speed() ? m.material.friction_static : m.material.friction_dynamic;
   }
 
   // What the contact passes aim at. A bounce won in the collisions must not be eaten by this step's gravity.
   void aim() {
     for (ManifoldRow& m : manifolds_) {
       m.friction = choose_friction(m);
-      const SolverBody &a = body(m.a), &b = body(m.b);
       Real hardest = 0;
       const PointRow* where = nullptr;
-      for (int k = 0; k < m.count; ++k) {
-        PointRow& p = m.points[std::size_t(k)];
+      for (PointRow& p : m.rows()) {
         const Real bounce = -m.material.restitution * p.start;
         p.target = p.free_speed;
-        if (p.hit && bounce > g_ * h_) p.target = min(dot(relative_velocity(a, b, p), m.normal), bounce);
+        if (p.hit && bounce > g_ * h_) {
+          p.target = min(relative_velocity(body(m.a), body(m.b), transpose(m.frame), p).x, bounce);
+        }
         if (p.hit && -p.start > hardest) hardest = -p.start, where = &p;
       }
       if (where != nullptr && hardest > 2 * g_ * h_) report_.hits.push_back({m.contact, where->ra, hardest});
@@ -460,10 +475,9 @@ class SubStep {
 
   void warm_start() {
     for (ManifoldRow& m : manifolds_) {
-      for (int k = 0; k < m.count; ++k) {
-        PointRow& p = m.points[std::size_t(k)];
-        if (p.target > 0 || set_.friction_per_increment) p.normal = 0, p.friction = {};
-        apply(body(m.a), body(m.b), p, m.normal * p.normal + p.friction);
+      for (PointRow& p : m.rows()) {
+        if (p.target > 0 || set_.friction_per_increment) p.impulse = {};
+        apply(body(m.a), body(m.b), m.frame, p, p.impulse);
       }
       report_.points += m.count;
     }
@@ -479,8 +493,8 @@ class SubStep {
   bool needs_push() const {
     if (!joints_in_step_.empty() && !set_.joint_correction_in_velocity) return true;
     for (const ManifoldRow& m : manifolds_) {
-      for (int k = 0; k < m.count; ++k) {
-        if (m.points[std::size_t(k)].push_target > 0) return true;
+      for (const PointRow& p : m.rows()) {
+        if (p.push_target > 0) return true;
       }
     }
     return false;
@@ -488,55 +502,48 @@ class SubStep {
 
   // Returns the largest change of a relative velocity, unrelaxed, m/s.
   Real hold(ManifoldRow& m, Real relaxation) {
-    SolverBody &a = body(m.a), &b = body(m.b);
+    SolverBody &at_a = body(m.a), &at_b = body(m.b);
+    SolverBody a = at_a, b = at_b;  // in registers: through the references every write would forbid the next read
+    const Mat3 to_frame = transpose(m.frame);
     Real change = 0;
-    for (int k = 0; k < m.count; ++k) {
-      PointRow& p = m.points[std::size_t(k)];
-      Vec3 u = relative_velocity(a, b, p);
-      const Real correction = (dot(u, m.normal) - p.target) * p.normal_mass;
-      const Real normal = max(Real(0), p.normal - relaxation * correction);
-      const Real dn = normal - p.normal;
-      u += p.response * dn;
-      Vec3 friction = p.friction - tangential(u, m.normal) * p.tangent_mass;
-      const Real most = m.friction * normal;
-      if (length_squared(friction) > square(most)) friction *= most / length(friction);
-      const Vec3 df = friction - p.friction;
-      apply(a, b, p, m.normal * dn + df);
-      change = max(change, max(abs(dn) / (relaxation * p.normal_mass), max_component(abs(df)) / p.tangent_mass));
-      p.normal = normal, p.friction = friction;
+    for (PointRow& p : m.rows()) {
+      const Vec3 u = relative_velocity(a, b, to_frame, p);
+      const Vec3 step = visit(p, u, p.target, relaxation, m.friction, p.impulse);
+      apply(a, b, m.frame, p, step);
+      change = max(change, size(p, step, relaxation));
     }
+    at_a.v = a.v, at_a.w = a.w;
+    at_b.v = b.v, at_b.w = b.w;
     report_.point_passes += m.count;
     return change;
   }
 
   Real hold_as_written(ManifoldRow& m, Real relaxation) {
-    Real sum = 0;
-    for (int k = 0; k < m.count; ++k) {
-      PointRow& p = m.points[std::size_t(k)];
+    Real change = 0;
+    for (PointRow& p : m.rows()) {
       const Real impulse = increment_as_written(m, p, relaxation - 1);
-      p.normal += impulse;
-      sum = max(sum, impulse / p.normal_mass);
+      p.impulse.x += impulse;
+      change = max(change, impulse / p.normal_mass);
     }
     report_.point_passes += m.count;
-    return sum;
+    return change;
   }
 
   // Split impulse (4.13)–(4.15): the overlap is removed in a pseudo velocity that moves bodies and is forgotten.
   Real push(ManifoldRow& m) {
     SolverBody &a = body(m.a), &b = body(m.b);
+    const Vec3 n = m.frame.c0;
     Real change = 0;
-    for (int k = 0; k < m.count; ++k) {
-      PointRow& p = m.points[std::size_t(k)];
+    for (PointRow& p : m.rows()) {
       if (p.push_target <= 0) continue;
-      const Vec3 w = a.push_v + cross(a.push_w, p.ra) - b.push_v - cross(b.push_w, p.rb);
-      const Real total = max(Real(0), p.push + (p.push_target - dot(w, m.normal)) * p.normal_mass);
-      const Real dp = total - p.push;
-      const Vec3 impulse = m.normal * dp;
-      a.push_v += impulse * a.inverse_mass;
-      a.push_w += a.inverse_inertia * cross(p.ra, impulse);
-      b.push_v -= impulse * b.inverse_mass;
-      b.push_w -= b.inverse_inertia * cross(p.rb, impulse);
-      change = max(change, abs(dp) / p.normal_mass);
+      const Real w = dot(n, a.push_v - b.push_v) + dot(cross(p.ra, n), a.push_w) - dot(cross(p.rb, n), b.push_w);
+      const Real total = max(Real(0), p.push + (p.push_target - w) * p.normal_mass);
+      const Real step = total - p.push;
+      a.push_v += n * (a.inverse_mass * step);
+      a.push_w += p.turn_a.c0 * step;
+      b.push_v -= n * (b.inverse_mass * step);
+      b.push_w -= p.turn_b.c0 * step;
+      change = max(change, abs(step) / p.normal_mass);
       p.push = total;
     }
     return change;
@@ -613,13 +620,13 @@ class SubStep {
       const ActiveContact& c = in_.contacts[m.contact];
       ContactImpulse& out = contacts_.impulse[c.slot];
       out = {};
-      for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
-        const PointRow& p = m.points[k];
-        out.normal[k] = p.normal;
-        out.friction[k] = p.friction;
+      std::array<Vec3, 4> impulse;
+      for (std::size_t k = 0; k < m.rows().size(); ++k) {
+        const Vec3& p = impulse[k] = m.points[k].impulse;
+        out.normal[k] = p.x;
+        out.friction[k] = m.frame.c1 * p.y + m.frame.c2 * p.z;
       }
-      const std::span<const Real> normal = std::span<const Real>(out.normal).first(std::size_t(m.count));
-      contacts_.slipping[c.slot] = slips(normal, out.friction, m.friction) ? 1 : 0;
+      contacts_.slipping[c.slot] = slips(std::span<const Vec3>(impulse).first(m.rows().size()), m.friction) ? 1 : 0;
     }
     for (const JointSolve& j : joints_in_step_) {
       joints_.impulse[j.joint] = {j.impulse, j.low.impulse, j.high.impulse, j.drive.impulse};
