@@ -4,6 +4,7 @@
 
 #include "base/timer.h"
 #include "dynamics/integrate.h"
+#include "math/lanes.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -12,32 +13,41 @@ namespace {
 // One contact point. Velocities and impulses are in the contact's frame: x along the normal from b to a, y and z
 // tangential. Impulses act on a; b gets the opposite.
 struct PointRow {
-  Vec3 ra, rb;                 // from the centres of mass, world axes, m
-  Mat3 arm_a, arm_b;           // ω → velocity of the point in the contact's frame
-  Mat3 turn_a, turn_b;         // I⁻¹ armᵀ: impulse → change of ω
-  Vec3 response;               // K n: change of the relative velocity by a unit normal impulse
+  Mat3Lanes arm_a, arm_b;      // ω → velocity of the point in the contact's frame
+  Mat3Lanes turn_a, turn_b;    // I⁻¹ armᵀ: impulse → change of ω
+  Vec3 impulse;                // accumulated, N s
   Real normal_mass;            // 1 / nᵀKn
   Real tangent_mass;           // 1 / the larger eigenvalue of K in the tangent plane: one number for both directions,
                                // because unequal ones would bend the direction of friction
-  Real depth;                  // m; negative: a gap
+  Real slide_y, slide_z;       // tangent_mass · Kn: friction that answers a unit normal impulse
+  Real target;                 // u_n that the contact passes aim at
+  // used once a sub-step
   Real free_speed;             // min(0, depth/h): approach that closes the gap exactly is allowed
   Real start;                  // u_n before collisions, m/s
-  Real target;                 // u_n that the contact passes aim at
-  Vec3 impulse;                // accumulated, N s
   Real push = 0;               // accumulated, pseudo
   Real push_target = 0;        // pseudo speed apart, m/s
+  Vec3 ra, rb;                 // from the centres of mass, world axes, m
   bool hit = false;            // took part in a collision
 };
 
 struct ManifoldRow {
+  Mat3Lanes to_frame;          // world → contact's frame
+  Mat3Lanes mass_a, mass_b;    // impulse in the contact's frame → change of v: 1/m times the frame
   std::uint32_t a, b, contact;
-  int count;
-  Mat3 frame;                  // columns: normal from b to a, two tangents
+  std::uint32_t count;
   Real friction;               // static or dynamic, chosen once a sub-step
+  Mat3 frame;                  // columns: normal from b to a, two tangents
   PairMaterial material;
   std::array<PointRow, 4> points;
-  std::span<PointRow> rows() { return std::span(points).first(std::size_t(count)); }
-  std::span<const PointRow> rows() const { return std::span(points).first(std::size_t(count)); }
+  std::span<PointRow> rows() { return std::span(points).first(count); }
+  std::span<const PointRow> rows() const { return std::span(points).first(count); }
+};
+
+// A body's velocities while a manifold is worked on, in registers.
+struct Moving {
+  Real4 v, w;
+  explicit Moving(const SolverBody& b) : v(lanes(b.v)), w(lanes(b.w)) {}
+  void store(SolverBody& b) const { b.v = vector(v), b.w = vector(w); }
 };
 
 // A limit's end or a drive: one row with bounds.
@@ -59,26 +69,19 @@ struct JointSolve {
 };
 
 // u in the contact's frame.
-Vec3 relative_velocity(const SolverBody& a, const SolverBody& b, const Mat3& to_frame, const PointRow& p) {
-  return to_frame * (a.v - b.v) + p.arm_a * a.w - p.arm_b * b.w;
+Real4 relative_velocity(const Moving& a, const Moving& b, const ManifoldRow& m, const PointRow& p) {
+  return m.to_frame * (a.v - b.v) + (p.arm_a * a.w - p.arm_b * b.w);
 }
 
-void apply(SolverBody& a, SolverBody& b, const Mat3& frame, const PointRow& p, const Vec3& impulse) {
-  const Vec3 linear = frame * impulse;
-  a.v += linear * a.inverse_mass;
-  a.w += p.turn_a * impulse;
-  b.v -= linear * b.inverse_mass;
-  b.w -= p.turn_b * impulse;
+void apply(Moving& a, Moving& b, const ManifoldRow& m, const PointRow& p, const Vec3& impulse) {
+  const Real4 step = lanes(impulse);
+  a.v += m.mass_a * step;
+  a.w += p.turn_a * step;
+  b.v -= m.mass_b * step;
+  b.w -= p.turn_b * step;
 }
 
-// The tangential part's length, and the impulse with that part cut to `most`.
-Real slide(const Vec3& u) { return sqrt(square(u.y) + square(u.z)); }
-Vec3 within_cone(const Vec3& impulse, Real coefficient) {
-  const Real most = coefficient * impulse.x, squared = square(impulse.y) + square(impulse.z);
-  if (squared <= square(most)) return impulse;
-  const Real cut = most / sqrt(squared);
-  return {impulse.x, impulse.y * cut, impulse.z * cut};
-}
+Real slide(const Vec3& u) { return sqrt(square(u.y) + square(u.z)); }  // the tangential part's length
 
 class SubStep {
  public:
@@ -127,29 +130,34 @@ class SubStep {
     ManifoldRow m;
     m.a = c.a, m.b = c.b;
     m.contact = std::uint32_t(&c - in_.contacts.data());
-    m.count = manifold.count;
+    m.count = std::uint32_t(manifold.count);
     m.material = c.material;
     const Vec3 n = manifold.normal, t = any_perpendicular(n);
     m.frame = {n, t, cross(n, t)};
     const Mat3 to_frame = transpose(m.frame);
     const SolverBody &a = body(c.a), &b = body(c.b);
+    m.to_frame = lanes(to_frame);
+    m.mass_a = lanes(m.frame * a.inverse_mass);
+    m.mass_b = lanes(m.frame * b.inverse_mass);
     const Vec3 to_shape = rotate(bodies_.orientation[c.a], bodies_.shape_frame[c.a].p);
     const Vec3 apart = bodies_.position[c.a] - bodies_.position[c.b];
-    for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
+    for (std::size_t k = 0; k < m.count; ++k) {
       const ManifoldPoint& from = manifold.points[k];
       PointRow& p = m.points[k];
       p.ra = from.at + to_shape;
       p.rb = p.ra + apart;
-      p.arm_a = to_frame * Mat3::skew(-p.ra);
-      p.arm_b = to_frame * Mat3::skew(-p.rb);
-      p.turn_a = a.inverse_inertia * transpose(p.arm_a);
-      p.turn_b = b.inverse_inertia * transpose(p.arm_b);
-      masses(p, a.inverse_mass + b.inverse_mass);
-      p.depth = -from.separation;
-      p.free_speed = min(Real(0), p.depth / h_);
-      p.start = relative_velocity(a, b, to_frame, p).x;
+      const Mat3 arm_a = to_frame * Mat3::skew(-p.ra), arm_b = to_frame * Mat3::skew(-p.rb);
+      const Mat3 turn_a = a.inverse_inertia * transpose(arm_a), turn_b = b.inverse_inertia * transpose(arm_b);
+      // (4.8) K = (1/m_a + 1/m_b) E − r̃_a I_a⁻¹ r̃_a − r̃_b I_b⁻¹ r̃_b, in the contact's frame
+      const Real inverse_mass = a.inverse_mass + b.inverse_mass;
+      masses(p, Mat3::diagonal({inverse_mass, inverse_mass, inverse_mass}) + arm_a * turn_a + arm_b * turn_b);
+      p.arm_a = lanes(arm_a), p.arm_b = lanes(arm_b);
+      p.turn_a = lanes(turn_a), p.turn_b = lanes(turn_b);
+      const Real depth = -from.separation;
+      p.free_speed = min(Real(0), depth / h_);
+      p.start = relative_velocity(Moving(a), Moving(b), m, p)[0];
       fastest_ = max(fastest_, -p.start);
-      p.push_target = set_.correction / h_ * max(Real(0), p.depth - slop());  // (4.14): a speed, not an impulse
+      p.push_target = set_.correction / h_ * max(Real(0), depth - slop());  // (4.14): a speed, not an impulse
       if (set_.one_point_contact || from.match >= 0) {
         // The impulse of the last sub-step, point by feature; friction turned into the new tangent plane.
         const ContactImpulse& stored = contacts_.impulse[c.slot];
@@ -161,13 +169,12 @@ class SubStep {
     manifolds_.push_back(m);
   }
 
-  // K in the contact's frame is (1/m_a + 1/m_b) E + arm_a turn_a + arm_b turn_b, (4.8).
-  static void masses(PointRow& p, Real inverse_mass) {
-    const Mat3 k = Mat3::diagonal({inverse_mass, inverse_mass, inverse_mass}) + p.arm_a * p.turn_a + p.arm_b * p.turn_b;
-    p.response = k.c0;
-    p.normal_mass = 1 / k.c0.x;
+  static void masses(PointRow& p, const Mat3& k) {
     const Real mean = (k.c1.y + k.c2.z) * Real(0.5);
+    p.normal_mass = 1 / k.c0.x;
     p.tangent_mass = 1 / (mean + sqrt(square((k.c1.y - k.c2.z) * Real(0.5)) + square(k.c1.z)));
+    p.slide_y = p.tangent_mass * k.c0.y;
+    p.slide_z = p.tangent_mass * k.c0.z;
   }
 
   // The thesis's contact: one point, the centre of the overlap. It carries no moment, so no tower stands on it.
@@ -251,18 +258,16 @@ class SubStep {
 
   // Passes until no manifold approaches. Nothing is warm-started and nothing is kept: an impact is over at once.
   void collide() {
-    // Approach slower than a tenth of gravity's share in a step is what turning arms and the last contact passes left
+    // Approach slower than a hundredth of gravity's share in a step is what turning arms and the last contact passes left
     // over: the coming contact passes mend it, no impact does.
-    const Real least = stick_speed() + Real(1e-6) * fastest_;
+    least_ = Real(0.01) * g_ * h_ + Real(1e-6) * fastest_;
     for (int pass = 0; pass < set_.collision_passes; ++pass) {
       for (JointSolve& j : joints_in_step_) stop(j);
       bool approaching = false;
       for (ManifoldRow& m : manifolds_) {
-        const Mat3 to_frame = transpose(m.frame);
+        const Moving a(body(m.a)), b(body(m.b));
         bool approaches = false;
-        for (const PointRow& p : m.rows()) {
-          approaches |= relative_velocity(body(m.a), body(m.b), to_frame, p).x < p.free_speed - least;
-        }
+        for (const PointRow& p : m.rows()) approaches |= relative_velocity(a, b, m, p)[0] < p.free_speed - least_;
         if (!approaches) continue;
         approaching = true;
         if (set_.friction_per_increment) strike_as_written(m);
@@ -286,8 +291,8 @@ class SubStep {
 
   // One impact of a manifold: all its points at once, with accumulated impulses that live in this visit only.
   void strike(ManifoldRow& m) {
-    SolverBody &a = body(m.a), &b = body(m.b);
-    const SolverBody a0 = a, b0 = b;
+    const Moving a0(body(m.a)), b0(body(m.b));
+    Moving a = a0, b = b0;
     const auto again = [&](Real restitution, Real friction) {
       a = a0, b = b0;
       return impact(m, a, b, restitution, friction);
@@ -300,57 +305,59 @@ class SubStep {
       outcome = again(m.material.restitution, friction);
     }
     if (outcome.made_energy) outcome = again(0, friction);  // friction made energy: take the bounce away instead
+    a.store(body(m.a)), b.store(body(m.b));
   }
 
   struct Impact {
     bool slips = false, made_energy = false;
   };
-  Impact impact(ManifoldRow& m, SolverBody& a, SolverBody& b, Real restitution, Real friction) {
-    const Mat3 to_frame = transpose(m.frame);
+  Impact impact(ManifoldRow& m, Moving& a, Moving& b, Real restitution, Real friction) {
     std::array<Real, 4> aim{};
     std::array<Vec3, 4> impulse{}, before{};
-    Real speed = 0;
-    for (std::size_t k = 0; k < m.rows().size(); ++k) {
+    for (std::size_t k = 0; k < m.count; ++k) {
       const PointRow& p = m.points[k];
-      before[k] = relative_velocity(a, b, to_frame, p);
+      before[k] = vector(relative_velocity(a, b, m, p));
       const Real un = before[k].x;
-      speed = max(speed, abs(un));
       aim[k] = un < p.free_speed ? -restitution * un : p.free_speed;
     }
     constexpr int most = 60;
     for (int repeat = 0; repeat < most; ++repeat) {
       Real change = 0;
-      for (std::size_t k = 0; k < m.rows().size(); ++k) {
+      for (std::size_t k = 0; k < m.count; ++k) {
         const PointRow& p = m.points[k];
-        const Vec3 u = relative_velocity(a, b, to_frame, p);
-        const Vec3 step = visit(p, u, aim[k], 1, friction, impulse[k]);
-        apply(a, b, m.frame, p, step);
+        const Vec3 step = answer(p, relative_velocity(a, b, m, p), aim[k], 1, friction, impulse[k]);
+        apply(a, b, m, p, step);
         change = max(change, size(p, step, 1));
       }
       report_.point_passes += m.count;
-      if (change <= Real(1e-6) * speed) break;
+      if (change <= Real(0.1) * least_) break;
     }
     Impact outcome;
     Real work = 0, scale_of_work = 0;  // ½ Σ p·(u⁻ + u⁺), and its size without cancellation
-    for (std::size_t k = 0; k < m.rows().size(); ++k) {
+    for (std::size_t k = 0; k < m.count; ++k) {
       PointRow& p = m.points[k];
-      work += dot(impulse[k], before[k] + relative_velocity(a, b, to_frame, p)) * Real(0.5);
+      work += dot(impulse[k], before[k] + vector(relative_velocity(a, b, m, p))) * Real(0.5);
       scale_of_work += abs(dot(impulse[k], before[k]));
       p.hit |= impulse[k].x > 0;
     }
-    outcome.slips = slips(std::span<const Vec3>(impulse).first(m.rows().size()), friction);
+    outcome.slips = slips(std::span<const Vec3>(impulse).first(m.count), friction);
     outcome.made_energy = work > Real(1e-5) * scale_of_work;
     return outcome;
   }
 
   // One visit of a point whose relative velocity is u: the accumulated impulse goes where u_n would be `target`, by the
-  // share `relaxation` of the way, and where it would not slide, both as far as contact can pull or hold.
-  static Vec3 visit(const PointRow& p, const Vec3& u, Real target, Real relaxation, Real friction, Vec3& impulse) {
-    const Real normal = max(Real(0), impulse.x - relaxation * p.normal_mass * (u.x - target));
-    const Real dn = normal - impulse.x;
-    const Vec3 next = within_cone({normal, impulse.y - p.tangent_mass * (u.y + p.response.y * dn),
-                                   impulse.z - p.tangent_mass * (u.z + p.response.z * dn)}, friction);
-    const Vec3 step = next - impulse;
+  // share `relaxation` of the way, and where it would not slide, both as far as a contact can push and hold. Written so
+  // that little waits for something else: each point waits for the one before.
+  static Vec3 answer(const PointRow& p, const Real4& u, Real target, Real relaxation, Real friction, Vec3& impulse) {
+    const Real normal = max(-impulse.x, relaxation * p.normal_mass * (target - u[0]));
+    Vec3 step{normal, -p.tangent_mass * u[1] - p.slide_y * normal, -p.tangent_mass * u[2] - p.slide_z * normal};
+    Vec3 next = impulse + step;
+    const Real most = friction * next.x, tangential = square(next.y) + square(next.z);
+    if (tangential > square(most)) {
+      const Real cut = most / sqrt(tangential);
+      next.y *= cut, next.z *= cut;
+      step = next - impulse;
+    }
     impulse = next;
     return step;
   }
@@ -380,11 +387,11 @@ class SubStep {
   }
 
   Real increment_as_written(const ManifoldRow& m, const PointRow& p, Real restitution) {
-    SolverBody &a = body(m.a), &b = body(m.b);
-    const Vec3 u = relative_velocity(a, b, transpose(m.frame), p);
+    Moving a(body(m.a)), b(body(m.b));
+    const Vec3 u = vector(relative_velocity(a, b, m, p));
     if (u.x >= p.free_speed) return 0;
-    const Real inverse_mass = a.inverse_mass + b.inverse_mass;
-    const Mat3 k = Mat3::diagonal({inverse_mass, inverse_mass, inverse_mass}) + p.arm_a * p.turn_a + p.arm_b * p.turn_b;
+    const Mat3 k = matrix(m.to_frame) * (matrix(m.mass_a) + matrix(m.mass_b)) + matrix(p.arm_a) * matrix(p.turn_a) +
+                   matrix(p.arm_b) * matrix(p.turn_b);
     Vec3 impulse = inverse(k) * (Vec3{-restitution * u.x, 0, 0} - u);                         // (4.10) sticking
     if (impulse.x < 0 || slide(impulse) > m.material.friction_static * impulse.x) {
       const Real fast = slide(u);
@@ -394,7 +401,8 @@ class SubStep {
       if (denominator <= 0) return 0;                                                         // jamming
       impulse = direction * (-(1 + restitution) * u.x / denominator);                         // (4.11) with u_n, not Δu_n
     }
-    apply(a, b, m.frame, p, impulse);
+    apply(a, b, m, p, impulse);
+    a.store(body(m.a)), b.store(body(m.b));
     return impulse.x;
   }
 
@@ -407,10 +415,9 @@ class SubStep {
     const auto rows = m.rows();
     const bool held = std::any_of(rows.begin(), rows.end(), [](const PointRow& p) { return p.impulse.x > 0; });
     if (held && contacts_.slipping[in_.contacts[m.contact].slot] == 0) return m.material.friction_static;
+    const Moving a(body(m.a)), b(body(m.b));
     Real fastest = 0;
-    for (const PointRow& p : rows) {
-      fastest = max(fastest, slide(relative_velocity(body(m.a), body(m.b), transpose(m.frame), p)));
-    }
+    for (const PointRow& p : rows) fastest = max(fastest, slide(vector(relative_velocity(a, b, m, p))));
     return fastest <= stick_speed() ? m.material.friction_static : m.material.friction_dynamic;
   }
 
@@ -418,14 +425,13 @@ class SubStep {
   void aim() {
     for (ManifoldRow& m : manifolds_) {
       m.friction = choose_friction(m);
+      const Moving a(body(m.a)), b(body(m.b));
       Real hardest = 0;
       const PointRow* where = nullptr;
       for (PointRow& p : m.rows()) {
         const Real bounce = -m.material.restitution * p.start;
         p.target = p.free_speed;
-        if (p.hit && bounce > g_ * h_) {
-          p.target = min(relative_velocity(body(m.a), body(m.b), transpose(m.frame), p).x, bounce);
-        }
+        if (p.hit && bounce > g_ * h_) p.target = min(Real(relative_velocity(a, b, m, p)[0]), bounce);
         if (p.hit && -p.start > hardest) hardest = -p.start, where = &p;
       }
       if (where != nullptr && hardest > 2 * g_ * h_) report_.hits.push_back({m.contact, where->ra, hardest});
@@ -475,10 +481,12 @@ class SubStep {
 
   void warm_start() {
     for (ManifoldRow& m : manifolds_) {
+      Moving a(body(m.a)), b(body(m.b));
       for (PointRow& p : m.rows()) {
         if (p.target > 0 || set_.friction_per_increment) p.impulse = {};
-        apply(body(m.a), body(m.b), m.frame, p, p.impulse);
+        apply(a, b, m, p, p.impulse);
       }
+      a.store(body(m.a)), b.store(body(m.b));
       report_.points += m.count;
     }
     for (JointSolve& j : joints_in_step_) {
@@ -502,18 +510,14 @@ class SubStep {
 
   // Returns the largest change of a relative velocity, unrelaxed, m/s.
   Real hold(ManifoldRow& m, Real relaxation) {
-    SolverBody &at_a = body(m.a), &at_b = body(m.b);
-    SolverBody a = at_a, b = at_b;  // in registers: through the references every write would forbid the next read
-    const Mat3 to_frame = transpose(m.frame);
+    Moving a(body(m.a)), b(body(m.b));
     Real change = 0;
     for (PointRow& p : m.rows()) {
-      const Vec3 u = relative_velocity(a, b, to_frame, p);
-      const Vec3 step = visit(p, u, p.target, relaxation, m.friction, p.impulse);
-      apply(a, b, m.frame, p, step);
+      const Vec3 step = answer(p, relative_velocity(a, b, m, p), p.target, relaxation, m.friction, p.impulse);
+      apply(a, b, m, p, step);
       change = max(change, size(p, step, relaxation));
     }
-    at_a.v = a.v, at_a.w = a.w;
-    at_b.v = b.v, at_b.w = b.w;
+    a.store(body(m.a)), b.store(body(m.b));
     report_.point_passes += m.count;
     return change;
   }
@@ -540,9 +544,9 @@ class SubStep {
       const Real total = max(Real(0), p.push + (p.push_target - w) * p.normal_mass);
       const Real step = total - p.push;
       a.push_v += n * (a.inverse_mass * step);
-      a.push_w += p.turn_a.c0 * step;
+      a.push_w += vector(p.turn_a.c0) * step;
       b.push_v -= n * (b.inverse_mass * step);
-      b.push_w -= p.turn_b.c0 * step;
+      b.push_w -= vector(p.turn_b.c0) * step;
       change = max(change, abs(step) / p.normal_mass);
       p.push = total;
     }
@@ -621,12 +625,12 @@ class SubStep {
       ContactImpulse& out = contacts_.impulse[c.slot];
       out = {};
       std::array<Vec3, 4> impulse;
-      for (std::size_t k = 0; k < m.rows().size(); ++k) {
+      for (std::size_t k = 0; k < m.count; ++k) {
         const Vec3& p = impulse[k] = m.points[k].impulse;
         out.normal[k] = p.x;
         out.friction[k] = m.frame.c1 * p.y + m.frame.c2 * p.z;
       }
-      contacts_.slipping[c.slot] = slips(std::span<const Vec3>(impulse).first(m.rows().size()), m.friction) ? 1 : 0;
+      contacts_.slipping[c.slot] = slips(std::span<const Vec3>(impulse).first(m.count), m.friction) ? 1 : 0;
     }
     for (const JointSolve& j : joints_in_step_) {
       joints_.impulse[j.joint] = {j.impulse, j.low.impulse, j.high.impulse, j.drive.impulse};
@@ -659,6 +663,7 @@ class SubStep {
   SolveReport& report_;
   Real h_, g_;
   Real fastest_ = 0;  // approach at the start, m/s
+  Real least_ = 0;    // approach that counts as an impact, m/s
   std::vector<SolverBody> solver_;
   std::vector<Vec3> before_;  // ω of the awake bodies before impulses
   std::vector<ManifoldRow> manifolds_;
