@@ -21,7 +21,7 @@ need() {
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo >/dev/null; then
       echo "Packages are missing, and only root can install them. As root, run:" >&2
-      echo "  apt-get install -y --no-install-recommends ${missing[*]}" >&2
+      echo "  apt-get update && apt-get install -y --no-install-recommends ${missing[*]}" >&2
       exit 2
     fi
     as_root=(sudo)

@@ -107,9 +107,6 @@ ERRATA = [
     ("one-point", "§3.9: a contact is reduced to one point, the centre of the intersection",
      "One point cannot carry a tilting moment: in the prototype every tower of fig. 9 falls within 10 s. Sudar solves up "
      "to four points of the contact polygon. (Option one_point_contact shows it.)"),
-    ("rotation", "§3.2: orientations are integrated as positions are, q ← q + ½ Δt ω q",
-     "That turns 7 % too little at 60 rad/s and 60 Hz, and keeps neither energy nor angular momentum of a free body. The "
-     "angular momentum is the state, and the rotation an implicit midpoint step."),
 ]
 
 REFERENCE = r"(?:\([3A]\.\d+\)|§[1-6A](?:\.\d)?|fig\. \d+|table 1|erratum [a-z-]+)"

@@ -1,0 +1,81 @@
+// Checks that cannot fail are worth nothing: every scenario runs with some of its physics taken away, and every check
+// of it must fail in one of these runs.
+#include "scenarios/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <set>
+
+using namespace sudar;
+
+namespace {
+
+// A way to take physics away.
+struct Removal {
+  const char* name;
+  Settings settings;
+  std::function<void(World&)> change = [](World&) {};
+};
+
+void remove_joints(World& w) {
+  for (Joint j : w.joints()) w.remove(j);
+}
+void remove_gravity(World& w) {
+  for (ForceId f : w.forces()) {
+    if (std::holds_alternative<Gravity>(w[f])) w.remove(f);
+  }
+}
+
+// What works in every scene: no impulses in contacts and joints, no joints, no gravity; and every parameter that begins
+// with one of these words is set as low as it goes.
+std::vector<Removal> removals(const ScenarioEntry& entry) {
+  std::vector<Removal> all = {
+      {"no passes", {.config = {{"impulse_2007.collision_passes", "0"}, {"impulse_2007.contact_passes", "0"}}}},
+      {"no joints", {}, remove_joints},
+      {"no gravity", {}, remove_gravity},
+  };
+  const Session session(entry);
+  for (const char* word : {"friction", "restitution", "speed", "spin"}) {
+    Settings lowest;
+    for (const Params::Entry& p : session.params()) {
+      if (p.name.starts_with(word)) lowest.set[p.name] = p.low;
+    }
+    if (!lowest.set.empty()) all.push_back({word, lowest});
+  }
+  return all;
+}
+
+void expect_bites(const ScenarioEntry& entry) {
+  std::set<std::string> names, failed;
+  for (const Removal& removal : removals(entry)) {
+    Session session(entry, removal.settings);
+    removal.change(session.world());
+    for (const Check::Entry& e : run(session).entries()) {
+      names.insert(e.name);
+      if (e.pass == false) failed.insert(e.name);
+    }
+  }
+  EXPECT_FALSE(names.empty());
+  for (const std::string& name : names) EXPECT_TRUE(failed.contains(name)) << "never fails: " << name;
+}
+
+class Bite : public testing::Test {
+ public:
+  explicit Bite(const ScenarioEntry& entry) : entry_(entry) {}
+  void TestBody() override { expect_bites(entry_); }
+
+ private:
+  const ScenarioEntry& entry_;
+};
+
+}
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  for (const ScenarioEntry* entry : scenarios().all()) {
+    testing::RegisterTest(entry->name, "checks_bite", nullptr, nullptr, __FILE__, __LINE__,
+                          [entry]() -> testing::Test* { return new Bite(*entry); });
+  }
+  return RUN_ALL_TESTS();
+}

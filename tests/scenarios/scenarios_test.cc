@@ -1,0 +1,102 @@
+// Every scenario passes its checks, awake and asleep; goes on with the same bits after save and load; and its recording
+// replays. One test each, so that CTest runs them side by side.
+#include "scenarios/catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <sudar/record.h>
+
+#include <functional>
+
+using namespace sudar;
+
+namespace {
+
+const Settings awake{.config = {{"sleep", "false"}}};
+
+// Every check has a verdict, and it is good.
+void expect_passed(const Check& check) {
+  EXPECT_FALSE(check.entries().empty());
+  for (const Check::Entry& e : check.entries()) {
+    EXPECT_TRUE(e.pass.has_value()) << "not reached: " << text(e);
+    EXPECT_TRUE(e.pass.value_or(true)) << text(e);
+  }
+}
+
+void expect_passes(const ScenarioEntry& entry, const Settings& settings) {
+  Session session(entry, settings);
+  expect_passed(run(session));
+}
+
+// What is restored at step 100, in another instance of the scenario, has the same bits at step 200.
+void expect_restores(const ScenarioEntry& entry, const Settings& settings) {
+  Session original(entry, settings);
+  for (int i = 0; i < 100; ++i) original.step();
+  Session restored = Session::load(scenarios(), original.save());
+  EXPECT_EQ(restored.world().hash(), original.world().hash());
+  for (int i = 0; i < 100; ++i) original.step(), restored.step();
+  EXPECT_EQ(restored.world().hash(), original.world().hash());
+  EXPECT_EQ(restored.save(), original.save());
+}
+
+void expect_replays(const ScenarioEntry& entry) {
+  Session session(entry);
+  Bytes recording;
+  {
+    Recorder recorder(session.world(), entry.name);
+    for (int i = 0; i < 200; ++i) session.step(), recorder.after_step();
+    recording = recorder.bytes();
+  }
+  Replay replay(recording);
+  while (!replay.done()) {
+    const auto difference = replay.step();
+    ASSERT_FALSE(difference) << "step " << difference->step << ", stage " << difference->stage << ", "
+                             << difference->field;
+  }
+  EXPECT_EQ(replay.world().hash(), session.world().hash());
+}
+
+class Run : public testing::Test {
+ public:
+  explicit Run(std::function<void()> body) : body_(std::move(body)) {}
+  void TestBody() override { body_(); }
+
+ private:
+  std::function<void()> body_;
+};
+
+void add_test(const ScenarioEntry& entry, const char* what, std::function<void()> body) {
+  testing::RegisterTest(entry.name, what, nullptr, nullptr, __FILE__, __LINE__,
+                        [body]() -> testing::Test* { return new Run(body); });
+}
+
+// What thesis.md states about other parameters than the default ones.
+struct Variant {
+  const char *scenario, *what;
+  Settings settings;
+};
+const Variant variants[] = {
+    {"wall", "stands_for_a_minute", {.set = {{"ball", 0}}, .seconds = 60}},
+    {"friction", "slides_at_0.560", {.set = {{"friction", 0.56}}}},
+    {"friction", "slides_at_0.575", {.set = {{"friction", 0.575}}}},
+    {"friction", "holds_at_0.580", {.set = {{"friction", 0.58}}}},
+    {"train", "holds_at_660", {.set = {{"force", 660}}}},
+    {"train", "slides_at_690", {.set = {{"force", 690}}}},
+};
+
+}
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  for (const ScenarioEntry* entry : scenarios().all()) {
+    add_test(*entry, "passes", [entry] { expect_passes(*entry, {}); });
+    add_test(*entry, "passes_without_sleep", [entry] { expect_passes(*entry, awake); });
+    add_test(*entry, "restores", [entry] { expect_restores(*entry, {}), expect_restores(*entry, awake); });
+    add_test(*entry, "replays", [entry] { expect_replays(*entry); });
+  }
+  for (const Variant& v : variants) {
+    const ScenarioEntry& entry = scenarios().find(v.scenario);
+    add_test(entry, v.what, [&entry, &v] { expect_passes(entry, v.settings); });
+  }
+  return RUN_ALL_TESTS();
+}
