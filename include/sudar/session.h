@@ -24,9 +24,9 @@ class Catalogue {
 void set_field(Config&, std::string_view path, std::string_view value);
 
 struct Settings {
-  std::map<std::string, double> set;                          // parameters
-  std::vector<std::pair<std::string, std::string>> config;    // by path, in order, after the scenario's own config()
-  std::optional<double> seconds;                              // else the scenario's own
+  std::map<std::string, double> set{};                        // parameters
+  std::vector<std::pair<std::string, std::string>> config{};  // by path, in order, after the scenario's own config()
+  std::optional<double> seconds{};                            // else the scenario's own
 };
 
 // Keys by script: "0:up+left 12.5:none" — from 0 s up and left, from 12.5 s nothing.
