@@ -5,6 +5,7 @@ using namespace sudar;
 
 struct Friction : Scenario {
   static constexpr double seconds = 10;
+  static constexpr double picture = 5;
   static constexpr const char* about = "a box on an incline, held by friction or not";
   Real gravity = 1, friction = 0.6, incline = 30;
   Body box_on_it;

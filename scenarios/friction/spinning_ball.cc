@@ -6,6 +6,7 @@ using namespace sudar;
 
 struct SpinningBall : Scenario {
   static constexpr double seconds = 20;
+  static constexpr double picture = 8;
   static constexpr const char* about = "a ball that spins leaves its bounce sideways (thesis, fig. 12)";
   Real gravity = 1, friction = 0.5, restitution = 0.9, spin = pi;
   Body spinning, straight;

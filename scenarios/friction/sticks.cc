@@ -5,6 +5,7 @@ using namespace sudar;
 
 struct Sticks : Scenario {
   static constexpr double seconds = 10;
+  static constexpr double picture = 2.6;
   static constexpr const char* about = "eleven falling sticks, from smooth to rough (thesis, fig. 6)";
   static constexpr int count = 11;
   Real gravity = 5, friction_step = 0.1, friction_dynamic = 0, tilt = 60;

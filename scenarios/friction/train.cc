@@ -6,6 +6,7 @@ using namespace sudar;
 
 struct Train : Scenario {
   static constexpr double seconds = 10;
+  static constexpr double picture = 5;
   static constexpr const char* about = "a locomotive that pulls a little less than friction holds";
   int wagons = 10;
   Real gravity = 5, friction_static = 0.15, friction_dynamic = 0.1, force = 600;

@@ -5,6 +5,7 @@ using namespace sudar;
 
 struct BouncingBoxes : Scenario {
   static constexpr double seconds = 14;  // the last is up again after 13.4 s
+  static constexpr double picture = 9;
   static constexpr const char* about = "ten boxes, from dead to almost elastic, rise to e² of their height";
   int boxes = 10;
   Real gravity = 1, height = 22.25;

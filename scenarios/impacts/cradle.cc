@@ -5,6 +5,7 @@ using namespace sudar;
 
 struct Cradle : Scenario {
   static constexpr double seconds = 4;
+  static constexpr double picture = 3.2;
   static constexpr const char* about = "Newton's cradle: one ball in, one ball out";
   int at_rest = 5;
   Real gravity = 5, restitution = 1;

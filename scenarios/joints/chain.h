@@ -7,6 +7,7 @@ namespace sudar::inline SUDAR_PRECISION {
 
 struct ChainScene : Scenario {
   static constexpr double seconds = 10;
+  static constexpr double picture = 2.5;
   int links = 15;
   Real gravity = 4, friction_static = 0.2, friction_dynamic = 0.1, density = 1;
   Vec3 edges;

@@ -6,6 +6,7 @@ using namespace sudar;
 
 struct Net : Scenario {
   static constexpr double seconds = 10;
+  static constexpr double picture = 4;
   static constexpr const char* about = "a net of 144 bars and 211 joints catches nine cubes (thesis, fig. 8)";
   int cells = 8;
   Real gravity = 5;

@@ -5,6 +5,7 @@ using namespace sudar;
 
 struct Dominoes : Scenario {
   static constexpr double seconds = 60;
+  static constexpr double picture = 25;
   static constexpr const char* about = "29 dominoes fall one after the other (thesis, fig. 11)";
   int straight = 10, curved = 9;
   Real gravity = 2, friction = 0.5, speed = 7;

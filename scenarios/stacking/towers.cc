@@ -5,6 +5,7 @@ using namespace sudar;
 
 struct Towers : Scenario {
   static constexpr double seconds = 20;
+  static constexpr double picture = 10;
   static constexpr const char* about = "towers of 10, 15 and 25 cubes that stand (thesis, fig. 9)";
   int left = 10, middle = 15, right = 25;
   Real gravity = 5, friction = 0.5;

@@ -5,6 +5,7 @@ using namespace sudar;
 
 struct Wall : Scenario {
   static constexpr double seconds = 8;
+  static constexpr double picture = 2.4;
   static constexpr const char* about = "a wall of fifty bricks and the ball that breaks it (thesis, fig. 7)";
   int rows = 10, columns = 5;
   bool with_ball = true;

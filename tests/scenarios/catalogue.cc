@@ -1,42 +1,15 @@
 #include "scenarios/catalogue.h"
 
-#ifdef SUDAR_STATIC_SCENARIOS
-#include "scenarios/linked.h"
-#else
-#include <dlfcn.h>
-
-#include <filesystem>
-#endif
-
 #include <sstream>
+
+#include "main/plugins.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
-namespace {
-
-std::vector<const ScenarioEntry*> entries() {
-#ifdef SUDAR_STATIC_SCENARIOS
-  return linked_scenarios();
-#else
-  std::vector<const ScenarioEntry*> all;
-  for (const auto& file : std::filesystem::directory_iterator(SUDAR_SCENARIO_FOLDER)) {
-    void* library = dlopen(file.path().c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!library) throw Error("scenario", dlerror());
-    all.push_back(reinterpret_cast<const ScenarioEntry* (*)()>(dlsym(library, "sudar_scenario"))());
-  }
-  return all;
-#endif
-}
-
-}
-
 const Catalogue& scenarios() {
-  static const Catalogue all = [] {
-    Catalogue c;
-    for (const ScenarioEntry* entry : entries()) c.add(entry);
-    return c;
-  }();
-  return all;
+  static const Plugins plugins("");
+  if (!plugins.refused().empty()) throw Error("scenarios", plugins.refused().front());
+  return plugins.catalogue();
 }
 
 std::string text(const Check::Entry& e) {
