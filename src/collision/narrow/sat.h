@@ -6,9 +6,10 @@
 // - Everything happens in the frame of hull a; hull b is brought there once (HullView).
 // - An edge pair matters only if the arcs of the two edges on the Gauss map cross, that is if the two edges make a face
 //   of the Minkowski difference (D. Gregorius, GDC 2013). Then the two edges are the supports and no vertex is visited.
-// - A bound skips most axes: along a unit vector n the hulls are separated by at most n·(c_b − c_a) − r_a − r_b, where
-//   c is a point inside and r the radius of a ball about it inside the hull. What cannot beat the best axis found so
-//   far is not looked at. The cached axis is measured first, and gives that bound its start.
+// - A bound skips most axes: along a normal of a face, or of an edge on its arc, that face or edge is the part of its
+//   hull farthest out, and the other hull reaches back from its centre by at least the radius of a ball inside it. An
+//   axis that cannot beat the best one found so far is not looked at. The cached axis is measured first, and gives that
+//   bound its start.
 // - Nearly equal axes must not take turns, or the contact points would change in every step: a face of a is preferred
 // to
 //   a face of b, and a face to a pair of edges, unless the other is better by `tolerance`: 1e-4 of the depth, so that
