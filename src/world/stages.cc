@@ -154,7 +154,8 @@ void refit(World::Impl& w) {
   for (const std::uint32_t i : w.kinematic) w.touch_proxy(i, false);
 }
 
-// An island sleeps when each of its bodies was quiet for 20 steps: v² and (ωR)² ≤ 10⁻⁵ (m/s)², the prototype's rule.
+// An island sleeps when each of its bodies was quiet for 20 steps: v² and (ωR)² ≤ 10⁻⁵ (m/s)², the prototype's rule. But
+// what slides is not at rest, however slow: on an incline a little steeper than friction holds it would never get away.
 void sleep(World::Impl& w) {
   constexpr std::uint32_t enough = 20;
   Bodies& b = w.bodies;
@@ -167,6 +168,10 @@ void sleep(World::Impl& w) {
   std::vector<std::uint8_t> restless(b.size(), 0);
   for (const std::uint32_t i : w.awake) {
     if (b.quiet_steps[i] < enough || b.may_sleep[i] == 0) restless[w.islands.root(i)] = 1;
+  }
+  for (const ActiveContact& c : w.active_contacts) {
+    if (w.contacts.slipping[c.slot] == 0 || c.material.friction_static == 0) continue;
+    restless[w.islands.root(b.dynamic(c.a) ? c.a : c.b)] = 1;
   }
   for (const std::uint32_t i : w.awake) {
     const std::uint32_t root = w.islands.root(i);
