@@ -49,7 +49,8 @@ struct JsonWriter {
 Json parameter(const Params::Entry& p) {
   if (p.kind == Params::Kind::boolean) return p.value != 0;
   if (p.kind == Params::Kind::integer) return std::int64_t(p.value);
-  return number(p.value);
+  // What was given for a Real comes back with the digits of a Real.
+  return Real(p.value) == p.value ? number(Real(p.value)) : number(p.value);
 }
 
 Json verdict(const Check::Entry& c) {
