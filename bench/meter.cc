@@ -29,8 +29,9 @@ void Meter::after_step(const World& world) {
   points_.push_back(double(p.points));
   collision_passes_.push_back(double(p.collision_passes));
   contact_passes_.push_back(double(p.contact_passes));
-  solve_us_ += p.solve_microseconds;
-  point_passes_ += double(p.point_passes);
+  const double passes = double(p.collision_passes + p.contact_passes);
+  const double constraints = double(p.point_passes) + double(world.joints().size()) * passes;
+  if (constraints > 0) ns_per_constraint_.push_back(1000 * p.solve_microseconds / constraints);
 
   const Quality q = world.quality();
   worst_.penetration_max = max(worst_.penetration_max, q.penetration_max);
@@ -47,8 +48,6 @@ std::vector<Meter::Stage> Meter::stages() const {
   for (Stage& s : means) s.microseconds /= double(steps());
   return means;
 }
-
-double Meter::ns_per_point_and_pass() const { return point_passes_ > 0 ? 1000 * solve_us_ / point_passes_ : 0; }
 
 Quality Meter::mean() const {
   const Real n = Real(std::max<std::int64_t>(steps(), 1));

@@ -48,7 +48,8 @@ int bench(const BenchOptions& o, const Catalogue& catalogue) {
   Json all = Json::array();
   if (!o.json) {
     std::printf(
-        "median of %d steps after %d, sleeping off, one thread; prototype: Java, 2007\n\n"
+        "median of %d steps after %d, sleeping off, one thread; prototype: Java, 2007.\n"
+        "The last column counts contact points and joints.\n\n"
         "scene             bodies joints contacts points    µs/step prototype  ratio  passes used  ns/point/pass\n",
         measured_steps, warm_up_steps);
   }
@@ -64,7 +65,7 @@ int bench(const BenchOptions& o, const Catalogue& catalogue) {
     std::printf("%-17s %6zu %6zu %8.0f %6.0f %10.1f %9.0f %6.2f %6.0f + %3.0f %13.1f\n", c.title, w.bodies().size(),
                 w.joints().size(), r.meter.contacts_median(), r.meter.points_median(), r.meter.step_us_median(),
                 c.prototype_us, r.meter.step_us_median() / c.prototype_us, r.meter.collision_passes_median(),
-                r.meter.contact_passes_median(), r.meter.ns_per_point_and_pass());
+                r.meter.contact_passes_median(), r.meter.ns_per_constraint_and_pass());
     std::fflush(stdout);
   }
   if (o.json) std::cout << all.dump(2) << '\n';

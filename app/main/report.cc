@@ -91,7 +91,7 @@ Json report(const Session& session, const Meter& meter) {
   for (const Meter::Stage& s : meter.stages()) j["stages"][s.name] = number(s.microseconds);
   j["passes"] = {{"collision", number(meter.collision_passes_median())},
                  {"contact", number(meter.contact_passes_median())},
-                 {"ns_per_point", number(meter.ns_per_point_and_pass())}};
+                 {"ns_per_constraint", number(meter.ns_per_constraint_and_pass())}};
   j["energy"] = {{"start", number(meter.energy_at_start().total())}, {"end", number(world.energy().total())}};
   const Quality mean = meter.mean(), worst = meter.worst();
   j["quality"] = {{"penetration", {{"max", number(worst.penetration_max)}, {"mean", number(mean.penetration_mean)}}},

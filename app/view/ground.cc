@@ -30,12 +30,13 @@ void Ground::draw(const Scene& scene, const Camera& camera, const Focus& focus, 
     program_.set("side_x", to_float(x));
     program_.set("side_z", to_float(z));
     program_.set("normal", to_float(up));
-    program_.set("reach", float(glass ? 2 * focus.radius : 100 * distance));
+    program_.set("reach", float(glass ? 2 * (focus.radius + double(abs(middle.y))) : 100 * distance));
     program_.set("offset", float(std::fmod(double(middle.x), coarse)), float(std::fmod(double(middle.z), coarse)));
     program_.set("cell", float(cell));
     program_.set("glass", glass ? 1 : 0);
     program_.set("scene_centre", relative(focus.centre, camera.eye));
-    program_.set("scene_radius", float(focus.radius));
+    // As far as the wall is from the scene it may also spread, or it would not be seen at all.
+    program_.set("scene_radius", float(focus.radius) + abs(float(middle.y)));
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   }
 }

@@ -47,6 +47,6 @@ struct SpinningBall : Scenario {
     const double exact = -7.5 + square(double(restitution)) * 17.5;
     c.near("apex after the bounce", apex, exact, 0.003 * 17.5, "m");
   }
-  std::optional<Camera> camera() const override { return Camera{{5, 8, 55}, {0, 0, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{10, 5, 44}, {2, -1, 0}}; }
 };
 SUDAR_SCENARIO(SpinningBall, "Friction/Spinning ball")

@@ -46,6 +46,6 @@ struct BouncingBoxes : Scenario {
       c.near("apex with e = " + std::to_string(restitution(i)), apex[std::size_t(i)], exact, 0.003 * exact + 0.01, "m");
     }
   }
-  std::optional<Camera> camera() const override { return Camera{{0, 0, 50}, {0, -2, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{7, 3, 40}, {0, -3, 0}}; }
 };
 SUDAR_SCENARIO(BouncingBoxes, "Impacts/Bouncing boxes")

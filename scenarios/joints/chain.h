@@ -49,7 +49,7 @@ struct ChainScene : Scenario {
     }
   }
   void check(const World&, Check& c) override { c.near("touch-down", touched, 4.1, 0.1, "s"); }
-  std::optional<Camera> camera() const override { return Camera{{12, 0, 75}, {12, -2, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{12, 6, 46}, {16, -3, 0}}; }
 };
 
 }

@@ -60,6 +60,6 @@ struct Wall : Scenario {
     c.near("the ball hits", hit, 1.44, 0.02, "s");
     c.below("the ball has punched through: its z", w[ball].pose().p.z, -6 - 7.5, "m");
   }
-  std::optional<Camera> camera() const override { return Camera{{70, 10, 130}, {5, -8, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{78, 8, 138}, {6, -1, 0}}; }
 };
 SUDAR_SCENARIO(Wall, "Stacking/Wall and ball")
