@@ -84,6 +84,7 @@ struct Profile {
   std::int64_t collision_passes = 0;               // used, summed over the step's sub-steps
   std::int64_t contact_passes = 0;
   std::int64_t point_passes = 0;                   // points × passes, collision and contact together
+  std::int64_t joint_passes = 0;                   // joints × passes
   double solve_microseconds = 0;                   // of the passes alone
   std::int64_t awake = 0;                          // dynamic bodies awake
 };

@@ -39,11 +39,22 @@ struct SolveReport {
   };
   std::vector<Hit> hits;
   std::vector<std::uint32_t> broken;       // bodies that turned non-finite and were put back
-  std::int64_t collision_passes = 0, contact_passes = 0, points = 0, point_passes = 0;
+  std::int64_t collision_passes = 0, contact_passes = 0, points = 0, point_passes = 0, joint_passes = 0;
   double passes_microseconds = 0;
 };
 
-// Advances bodies and impulses by one sub-step.
-void impulse_2007(const SolveInput&, Bodies&, Joints&, Contacts&, SolveReport&);
+// Keeps only memory between sub-steps, no state.
+class Impulse2007Solver {
+ public:
+  Impulse2007Solver();
+  ~Impulse2007Solver();
+  // Advances bodies and impulses by one sub-step.
+  void sub_step(const SolveInput&, Bodies&, Joints&, Contacts&, SolveReport&);
+
+  struct Memory;
+
+ private:
+  std::unique_ptr<Memory> memory_;
+};
 
 }

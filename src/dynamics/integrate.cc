@@ -31,7 +31,7 @@ void drift(Bodies& b, std::uint32_t i, const SolverBody& body, const Vec3& spin_
   b.spin[i] = spin_of(b, i);
 }
 
-void runge_kutta_4(Bodies& b, const Forces& forces, std::span<const std::uint32_t> which, Real h) {
+std::vector<std::uint32_t> runge_kutta_4(Bodies& b, const Forces& forces, std::span<const std::uint32_t> which, Real h) {
   struct Rate {
     Vec3 v, a;      // ẋ, v̇
     Quat q;         // q̇
@@ -80,14 +80,20 @@ void runge_kutta_4(Bodies& b, const Forces& forces, std::span<const std::uint32_
       momentum[k] = b.angular_momentum[i] + r.torque * step;
     }
   }
+  std::vector<std::uint32_t> broken;
   for (std::size_t k = 0; k < n; ++k) {
     const std::uint32_t i = which[k];
+    if (!is_finite(sum[k].v) || !is_finite(sum[k].a) || !is_finite(sum[k].q) || !is_finite(sum[k].torque)) {
+      broken.push_back(i);
+      continue;
+    }
     b.position[i] = b.position[i] + sum[k].v * h;
     b.velocity[i] += sum[k].a * h;
     b.orientation[i] = normalize(moved(b.orientation[i], sum[k].q, h));
     b.angular_momentum[i] += sum[k].torque * h;
     b.spin[i] = spin_of(b, i);
   }
+  return broken;
 }
 
 }

@@ -19,7 +19,8 @@ void accelerate(const Bodies&, std::uint32_t i, const Wrench& load, const DragRa
 void drift(Bodies&, std::uint32_t i, const SolverBody& body, const Vec3& spin_before, Real h);
 
 // One step of the classical fourth-order Runge–Kutta method for all of `which` together, forces re-evaluated at its four
-// states. For smooth forces only; h (drag rate) must stay below about 1.
-void runge_kutta_4(Bodies&, const Forces&, std::span<const std::uint32_t> which, Real h);
+// states. For smooth forces only; h (drag rate) must stay below about 1. A body whose state would not be finite stays as
+// it was; these are returned.
+std::vector<std::uint32_t> runge_kutta_4(Bodies&, const Forces&, std::span<const std::uint32_t> which, Real h);
 
 }

@@ -57,6 +57,7 @@ struct World::Impl {
   Islands islands;
   double last_dt = 0;                       // of the last step
   double h = 0;                             // length of the sub-step at work, simulated s
+  Impulse2007Solver impulse_2007;
   SolveReport report;
   Events events;
   Profile profile;

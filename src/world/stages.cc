@@ -137,8 +137,9 @@ void solve(World::Impl& w) {
   SolveReport& report = w.report;
   report.hits.clear(), report.broken.clear();
   report.points = 0;
-  impulse_2007({w.config, Real(w.h), w.forces, w.active_contacts, w.active_joints, w.awake, w.smooth, w.kinematic},
-               w.bodies, w.joints, w.contacts, report);
+  w.impulse_2007.sub_step(
+      {w.config, Real(w.h), w.forces, w.active_contacts, w.active_joints, w.awake, w.smooth, w.kinematic}, w.bodies,
+      w.joints, w.contacts, report);
   for (const SolveReport::Hit& hit : report.hits) {
     const ActiveContact& c = w.active_contacts[hit.contact];
     w.events.hits.push_back({handle(w, c.a), handle(w, c.b), w.bodies.position[c.a] + hit.at, c.manifold->normal, hit.speed});
@@ -236,6 +237,7 @@ void World::Impl::step(double dt) {
   profile.collision_passes = report.collision_passes;
   profile.contact_passes = report.contact_passes;
   profile.point_passes = report.point_passes;
+  profile.joint_passes = report.joint_passes;
   profile.solve_microseconds = report.passes_microseconds;
   profile.awake = std::int64_t(awake.size());
 }

@@ -1,0 +1,114 @@
+// Contact points as the impulse solvers iterate on them: rows in the contact's own frame, and what one visit does.
+#pragma once
+
+#include "dynamics/contacts.h"
+#include "dynamics/rows.h"
+#include "math/lanes.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+// One contact point. Velocities and impulses are in the contact's frame: x along the normal from b to a, y and z
+// tangential. Impulses act on a; b gets the opposite.
+struct PointRow {
+  Mat3Lanes arm_a, arm_b;      // ω → velocity of the point in the contact's frame
+  Mat3Lanes turn_a, turn_b;    // I⁻¹ armᵀ: impulse → change of ω
+  Vec3 impulse;                // accumulated, N s
+  Real normal_mass;            // 1 / nᵀKn
+  Real tangent_mass;           // 1 / the larger eigenvalue of K in the tangent plane: one number for both directions,
+                               // because unequal ones would bend the direction of friction
+  Real slide_y, slide_z;       // tangent_mass · Kn: friction that answers a unit normal impulse
+  Real target;                 // u_n that the contact passes aim at
+  // used once a sub-step
+  Real free_speed;             // min(0, depth/h): approach that closes the gap exactly is allowed
+  Real start;                  // u_n before collisions, m/s
+  Real push = 0;               // accumulated, pseudo
+  Real push_target = 0;        // pseudo speed apart, m/s
+  Vec3 ra, rb;                 // from the centres of mass, world axes, m
+  bool hit = false;            // took part in a collision
+};
+
+struct ManifoldRow {
+  Mat3Lanes to_frame;          // world → contact's frame
+  Mat3Lanes mass_a, mass_b;    // impulse in the contact's frame → change of v: 1/m times the frame
+  std::uint32_t a, b, contact;
+  std::uint32_t count;
+  Real friction;               // static or dynamic, chosen once a sub-step
+  Mat3 frame;                  // columns: normal from b to a, two tangents
+  PairMaterial material;
+  std::array<PointRow, 4> points;
+  std::span<PointRow> rows() { return std::span(points).first(count); }
+  std::span<const PointRow> rows() const { return std::span(points).first(count); }
+};
+
+// A body's velocities while a manifold is worked on, in registers.
+struct Moving {
+  Real4 v, w;
+  explicit Moving(const SolverBody& b) : v(lanes(b.v)), w(lanes(b.w)) {}
+  void store(SolverBody& b) const { b.v = vector(v), b.w = vector(w); }
+};
+
+// u in the contact's frame.
+inline Real4 relative_velocity(const Moving& a, const Moving& b, const ManifoldRow& m, const PointRow& p) {
+  return m.to_frame * (a.v - b.v) + (p.arm_a * a.w - p.arm_b * b.w);
+}
+
+inline void apply(Moving& a, Moving& b, const ManifoldRow& m, const PointRow& p, const Vec3& impulse) {
+  const Real4 step = lanes(impulse);
+  a.v += m.mass_a * step;
+  a.w += p.turn_a * step;
+  b.v -= m.mass_b * step;
+  b.w -= p.turn_b * step;
+}
+
+inline Real slide(const Vec3& u) { return sqrt(square(u.y) + square(u.z)); }  // the tangential part's length
+
+// Sets what depends on K alone. (4.8) K = (1/m_a + 1/m_b) E − r̃_a I_a⁻¹ r̃_a − r̃_b I_b⁻¹ r̃_b, in the contact's frame.
+inline void prepare_masses(PointRow& p, const Mat3& to_frame, const SolverBody& a, const SolverBody& b) {
+  const Mat3 arm_a = to_frame * Mat3::skew(-p.ra), arm_b = to_frame * Mat3::skew(-p.rb);
+  const Mat3 turn_a = a.inverse_inertia * transpose(arm_a), turn_b = b.inverse_inertia * transpose(arm_b);
+  const Real inverse_mass = a.inverse_mass + b.inverse_mass;
+  const Mat3 k = Mat3::diagonal({inverse_mass, inverse_mass, inverse_mass}) + arm_a * turn_a + arm_b * turn_b;
+  const Real mean = (k.c1.y + k.c2.z) * Real(0.5);
+  p.normal_mass = 1 / k.c0.x;
+  p.tangent_mass = 1 / (mean + sqrt(square((k.c1.y - k.c2.z) * Real(0.5)) + square(k.c1.z)));
+  p.slide_y = p.tangent_mass * k.c0.y;
+  p.slide_z = p.tangent_mass * k.c0.z;
+  p.arm_a = lanes(arm_a), p.arm_b = lanes(arm_b);
+  p.turn_a = lanes(turn_a), p.turn_b = lanes(turn_b);
+}
+
+// One visit of a point whose relative velocity is u: the accumulated impulse goes where u_n would be `target`, by the
+// share `relaxation` of the way, and where it would not slide, both as far as a contact can push and hold. Written so
+// that little waits for something else: each point waits for the one before.
+inline Vec3 answer(const PointRow& p, const Real4& u, Real target, Real relaxation, Real friction, Vec3& impulse) {
+  const Real normal = max(-impulse.x, relaxation * p.normal_mass * (target - u[0]));
+  Vec3 step{normal, -p.tangent_mass * u[1] - p.slide_y * normal, -p.tangent_mass * u[2] - p.slide_z * normal};
+  Vec3 next = impulse + step;
+  const Real most = friction * next.x, tangential = square(next.y) + square(next.z);
+  if (tangential > square(most)) {
+    const Real cut = most / sqrt(tangential);
+    next.y *= cut, next.z *= cut;
+    step = next - impulse;
+  }
+  impulse = next;
+  return step;
+}
+// A step as the relative velocity that it answers, unrelaxed.
+inline Real size(const PointRow& p, const Vec3& step, Real relaxation) {
+  return max(abs(step.x) / (p.normal_mass * relaxation), max(abs(step.y), abs(step.z)) / p.tangent_mass);
+}
+
+// Whether the contact as a whole is at the edge of its cone: in sum, or (turning on the spot) in every loaded point.
+// One point at its edge says nothing: how the load is shared among points is not determined.
+inline bool slips(std::span<const Vec3> impulses, Real coefficient) {
+  const Real nearly = Real(0.999) * coefficient;
+  Vec3 sum;
+  bool everywhere = true;
+  for (const Vec3& p : impulses) {
+    sum += p;
+    everywhere &= slide(p) >= nearly * p.x;
+  }
+  return sum.x > 0 && (everywhere || slide(sum) >= nearly * sum.x);
+}
+
+}
