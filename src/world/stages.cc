@@ -155,8 +155,7 @@ void refit(World::Impl& w) {
   for (const std::uint32_t i : w.kinematic) w.touch_proxy(i, false);
 }
 
-// An island sleeps when each of its bodies was quiet for 20 steps: v² and (ωR)² ≤ 10⁻⁵ (m/s)², the prototype's rule. But
-// what slides is not at rest, however slow: on an incline a little steeper than friction holds it would never get away.
+// An island sleeps when each of its bodies was quiet for 20 steps: v² and (ωR)² ≤ 10⁻⁵ (m/s)², the prototype's rule.
 void sleep(World::Impl& w) {
   constexpr std::uint32_t enough = 20;
   Bodies& b = w.bodies;
@@ -170,8 +169,10 @@ void sleep(World::Impl& w) {
   for (const std::uint32_t i : w.awake) {
     if (b.quiet_steps[i] < enough || b.may_sleep[i] == 0) restless[w.islands.root(i)] = 1;
   }
+  // What slides is on its way, however slowly: 0.1 mm/s is movement where friction has given in.
   for (const ActiveContact& c : w.active_contacts) {
-    if (w.contacts.slipping[c.slot] == 0 || c.material.friction_static == 0) continue;
+    const Real slip = max(length_squared(b.velocity[c.a]), length_squared(b.velocity[c.b]));
+    if (w.contacts.slipping[c.slot] == 0 || slip <= Real(1e-3) * limit) continue;
     restless[w.islands.root(b.dynamic(c.a) ? c.a : c.b)] = 1;
   }
   for (const std::uint32_t i : w.awake) {
