@@ -117,7 +117,7 @@ def anchors(root):
     """{reference: ["path:line", …]} of all sources, and the complaints about references that do not exist."""
     known = {reference for reference, _ in CONTENTS} | {f"erratum {key}" for key, _, _ in ERRATA}
     places, complaints = {}, []
-    for path in sources(root, ("include", "src", "scenarios", "app", "tests")):
+    for path in sources(root, ("include", "src", "scenarios", "bench", "app", "tests")):
         name = path.relative_to(root).as_posix()
         for number, line in enumerate(path.read_text().splitlines(), 1):
             for match in ANCHOR.finditer(line):
@@ -142,7 +142,8 @@ def page(places):
     for reference, what in CONTENTS:
         strong = "**" if reference[0] == "§" else ""
         cell = what.replace("|", "\\|")
-        lines.append(f"| {reference} | {strong}{cell}{strong} | {links(places.get(reference, []))} |")
+        where = "" if strong and reference not in places else links(places.get(reference, []))
+        lines.append(f"| {reference} | {strong}{cell}{strong} | {where} |")
     lines += ["", "## Mistakes of the thesis that Sudar does not repeat", "",
               "| | the thesis | what is so | regression test |", "|---|---|---|---|"]
     for key, says, fact in ERRATA:

@@ -1,4 +1,4 @@
-// The scenarios that the program offers. Each is a shared library in one folder with one C entry point, sudar_scenario;
+// The scenarios that the program offers (plugins, as in thesis §4). Each is a shared library in one folder with one C entry point, sudar_scenario;
 // one that was built for another engine is refused by name with the reason, and the others are offered all the same.
 // In a build with SUDAR_STATIC_SCENARIOS they are linked in and there is no folder.
 #pragma once

@@ -132,7 +132,7 @@ void describe(V& v, T& d) {
   v("max_speed", d.max_speed, or_infinite);
 }
 
-struct Bar {  // keeps the distance between two points
+struct Bar {  // keeps the distance between two points: thesis (3.22)
   Body a{}, b{};
   Pos at_a{}, at_b{};
   bool collide = false;  // may the two bodies touch each other?
@@ -143,12 +143,12 @@ struct Rope {  // keeps the distance between two points at most at `length`; 0: 
   Real length = 0;
   bool collide = false;
 };
-struct Ball {  // keeps two points together
+struct Ball {  // keeps two points together: thesis (3.23), fig. 3
   Body a{}, b{};
   Pos at{};
   bool collide = false;
 };
-struct Hinge {  // a ball joint that turns about one axis only
+struct Hinge {  // a ball joint that turns about one axis only: thesis (3.24), fig. 3
   Body a{}, b{};
   Pos at{};
   Vec3 axis{0, 0, 1};
@@ -214,7 +214,7 @@ void describe(V& v, T& d) {
 
 // --- forces: constant during a step unless said otherwise ---
 
-struct Gravity {  // the same everywhere
+struct Gravity {  // the same everywhere: thesis (3.5)
   Vec3 acceleration{0, Real(-9.81), 0};  // m/s²
 };
 // Resistance of a still medium: F = −(A + B|v|) v and the angular twin, integrated implicitly, so that it never
@@ -294,7 +294,7 @@ inline const char* const* names(Integrator) { static constexpr const char* n[] =
 enum class Mix : std::uint8_t { min, geometric, average, max };  // how the two bodies' values become the pair's
 inline const char* const* names(Mix) { static constexpr const char* n[] = {"min", "geometric", "average", "max", nullptr}; return n; }
 
-// The thesis's solver (docs/impulse_2007.md). N₁, N₂, b, δ_max as there.
+// The thesis's solver (docs/thesis.md). N₁, N₂, b, δ_max as there.
 struct Impulse2007 {
   std::int32_t collision_passes = 40;        // N₁, at most
   std::int32_t contact_passes = 80;          // N₂, at most
@@ -322,7 +322,7 @@ struct Config {
   std::int32_t substeps = 4;
   bool sleep = true;           // quiet islands stop being computed
   Real length_unit = 1;        // how many units of length a metre has: 1000 for a scene in millimetres
-  Real time_factor = 1;        // k of the thesis: simulated seconds per second of step
+  Real time_factor = 1;        // k of thesis (3.4): simulated seconds per second of step
   Mix friction_mix = Mix::geometric, restitution_mix = Mix::max;
   Impulse2007 impulse_2007{};
 };

@@ -118,7 +118,7 @@ struct Mat3T {
   }
 };
 
-// A rotation as a unit quaternion, stored and printed x, y, z, w (vector part first, w the cosine of half the angle).
+// A rotation as a unit quaternion, thesis (3.1), stored and printed x, y, z, w (vector part first, w the cosine of half the angle).
 template <class T>
 struct QuatT {
   T x{}, y{}, z{}, w{1};

@@ -11,11 +11,11 @@ namespace sudar::inline SUDAR_PRECISION {
 // ω of a body that turns with L: the same arithmetic wherever it is asked, so that an untouched L gives an exact zero.
 Vec3 spin_of(const Bodies&, std::uint32_t i);
 
-// thesis (3.3): v += h F/m, then resistance implicitly, v ← v / (1 + h (A + B|v|)/m): the explicit form overshoots where
+// thesis (3.2), (3.6): v += h F/m, then resistance implicitly, v ← v / (1 + h (A + B|v|)/m): the explicit form overshoots where
 // h A/m > 1, which large time factors reach. `body` holds the velocities of body i.
 void accelerate(const Bodies&, std::uint32_t i, const Wrench& load, const DragRates& drag, Real h, SolverBody& body);
 
-// Drift over h with the real velocities in `body`, whose ω was spin_of() before impulses; then turns by the pseudo ones.
+// thesis (3.3): drift over h with the real velocities in `body`, whose ω was spin_of() before impulses; then turns by the pseudo ones.
 void drift(Bodies&, std::uint32_t i, const SolverBody& body, const Vec3& spin_before, Real h);
 
 // One step of the classical fourth-order Runge–Kutta method for all of `which` together, forces re-evaluated at its four

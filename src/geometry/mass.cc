@@ -51,14 +51,14 @@ MassProperties mass_properties(std::span<const Vec3d> vertices, std::span<const 
   Vec3d moment;
   const Vec3d near = vertices[triangles[0]];
   over_tetrahedra(near, [&](const Vec3d& a, const Vec3d& b, const Vec3d& c, double determinant) {
-    result.volume += determinant / 6;            // the thesis divides by 4, a mistake
-    moment += (a + b + c) * (determinant / 24);  // a tetrahedron's centroid is (a + b + c + 0)/4
+    result.volume += determinant / 6;            // thesis (A.1), (A.3), which divides by 4
+    moment += (a + b + c) * (determinant / 24);  // thesis (A.2), (A.4): the centroid is (a + b + c + 0)/4
   });
   if (!(result.volume > 0))
     throw Error("triangles", "enclose no volume; seen from outside they must run counter-clockwise");
   result.center = near + moment / result.volume;
 
-  // ∫ x xᵀ dV over the tetrahedron (0, a, b, c) = det/120 (aaᵀ + bbᵀ + ccᵀ + ssᵀ) with s = a + b + c: A C₀ Aᵀ with
+  // thesis (A.5): ∫ x xᵀ dV over the tetrahedron (0, a, b, c) = det/120 (aaᵀ + bbᵀ + ccᵀ + ssᵀ) with s = a + b + c: A C₀ Aᵀ with
   // C₀ = 1/60 on the diagonal and 1/120 off it.
   Mat3d covariance;
   over_tetrahedra(result.center, [&](const Vec3d& a, const Vec3d& b, const Vec3d& c, double determinant) {

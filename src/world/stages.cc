@@ -219,7 +219,7 @@ void World::Impl::step(double dt) {
   for (const Stage& stage : stages) profile.stages.push_back({stage.name, 0});
   const double simulated = dt * double(config.time_factor);
   last_dt = dt;
-  h = simulated / config.substeps;
+  h = simulated / config.substeps;  // thesis (3.4)
   for (int n = 0; n < config.substeps; ++n) {
     for (std::size_t s = 0; s < std::size(stages); ++s) {
       const Timer timer;

@@ -1,4 +1,4 @@
-// The reference broad phase: every changed proxy against every other one, O(n · changed). No state, so nothing to keep
+// The reference broad phase, thesis (3.25): every changed proxy against every other one, O(n · changed). No state, so nothing to keep
 // up to date and nothing to get wrong; the others must give its pairs.
 #pragma once
 

@@ -1,4 +1,5 @@
-// The one door of the narrow phase: two placed shapes → a manifold.
+// The one door of the narrow phase: two placed shapes → a manifold, which is the point, segment or polygon of contact
+// (thesis (3.30)) by at most four points.
 #pragma once
 
 #include "collision/narrow/manifold.h"

@@ -1,5 +1,5 @@
 // Two convex polyhedra are apart if and only if some face normal of either, or some cross product of an edge of one
-// with an edge of the other, separates them (thesis §2; S. Gottschalk 1996 for boxes). The axis of the largest
+// with an edge of the other, separates them (thesis (3.29), fig. 4; S. Gottschalk 1996 for boxes). The axis of the largest
 // separation is that of the contact.
 //
 // What makes it fast and quiet:
