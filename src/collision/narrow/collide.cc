@@ -81,6 +81,7 @@ void collide_ordered(const Placed& a, const Placed& b, Real margin, AxisCache& c
 }
 
 bool far_apart(const Placed& a, const Placed& b, Real margin) {
+  // thesis (3.28): bounding spheres first
   const Real reach = a.geometry->bounding_radius + b.geometry->bounding_radius + margin;  // infinite for a half space
   return length_squared(a.pose.p - b.pose.p) > square(reach);
 }
