@@ -52,6 +52,7 @@ inline Real4 relative_velocity(const Moving& a, const Moving& b, const ManifoldR
   return m.to_frame * (a.v - b.v) + (p.arm_a * a.w - p.arm_b * b.w);
 }
 
+// thesis (3.7), (3.8), (3.9), (3.10), (3.12)
 inline void apply(Moving& a, Moving& b, const ManifoldRow& m, const PointRow& p, const Vec3& impulse) {
   const Real4 step = lanes(impulse);
   a.v += m.mass_a * step;
@@ -62,7 +63,8 @@ inline void apply(Moving& a, Moving& b, const ManifoldRow& m, const PointRow& p,
 
 inline Real slide(const Vec3& u) { return sqrt(square(u.y) + square(u.z)); }  // the tangential part's length
 
-// Sets what depends on K alone. (4.8) K = (1/m_a + 1/m_b) E − r̃_a I_a⁻¹ r̃_a − r̃_b I_b⁻¹ r̃_b, in the contact's frame.
+// Sets what depends on K alone, thesis (3.11), (3.13):
+// K = (1/m_a + 1/m_b) E − r̃_a I_a⁻¹ r̃_a − r̃_b I_b⁻¹ r̃_b, in the frame of the contact.
 inline void prepare_masses(PointRow& p, const Mat3& to_frame, const SolverBody& a, const SolverBody& b) {
   const Mat3 arm_a = to_frame * Mat3::skew(-p.ra), arm_b = to_frame * Mat3::skew(-p.rb);
   const Mat3 turn_a = a.inverse_inertia * transpose(arm_a), turn_b = b.inverse_inertia * transpose(arm_b);

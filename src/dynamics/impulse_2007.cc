@@ -94,7 +94,7 @@ class SubStep {
       p.free_speed = min(Real(0), depth / h_);
       p.start = relative_velocity(Moving(a), Moving(b), m, p)[0];
       fastest_ = max(fastest_, -p.start);
-      p.push_target = set_.correction / h_ * max(Real(0), depth - slop());  // (4.14): a speed, not an impulse
+      p.push_target = set_.correction / h_ * max(Real(0), depth - slop());  // thesis (3.20): a speed, not an impulse
       if (set_.one_point_contact || from.match >= 0) {
         // The impulse of the last sub-step, point by feature; friction turned into the new tangent plane.
         const ContactImpulse& stored = contacts_.impulse[c.slot];
@@ -121,7 +121,7 @@ class SubStep {
   Real slop() const { return set_.slop * in_.config.length_unit; }
   Real stick_speed() const { return Real(0.1) * g_ * h_; }
 
-  // --- collisions: thesis (4.9)–(4.11) ---
+  // --- collisions: thesis (3.15), (3.16), (3.17), (3.18) ---
 
   // Passes until no manifold approaches. Nothing is warm-started and nothing is kept: an impact is over at once.
   void collide() {
@@ -202,7 +202,7 @@ class SubStep {
     return outcome;
   }
 
-  // Option friction_per_increment: (4.10), (4.11) as written, each increment against its own cone. It serves to show
+  // Option friction_per_increment: thesis (3.16), (3.18) as written, each increment against its own cone. It serves to show
   // what goes wrong: a train moves that static friction should hold.
   void strike_as_written(ManifoldRow& m) {
     for (PointRow& p : m.rows()) p.hit |= increment_as_written(m, p, m.material.restitution) > 0;
@@ -215,14 +215,14 @@ class SubStep {
     if (u.x >= p.free_speed) return 0;
     const Mat3 k = matrix(m.to_frame) * (matrix(m.mass_a) + matrix(m.mass_b)) + matrix(p.arm_a) * matrix(p.turn_a) +
                    matrix(p.arm_b) * matrix(p.turn_b);
-    Vec3 impulse = inverse(k) * (Vec3{-restitution * u.x, 0, 0} - u);                         // (4.10) sticking
+    Vec3 impulse = inverse(k) * (Vec3{-restitution * u.x, 0, 0} - u);  // thesis (3.16)
     if (impulse.x < 0 || slide(impulse) > m.material.friction_static * impulse.x) {
       const Real fast = slide(u);
       const Real share = fast > 0 ? m.material.friction_dynamic / fast : Real(0);
       const Vec3 direction{1, -share * u.y, -share * u.z};
       const Real denominator = dot(k.c0, direction);
-      if (denominator <= 0) return 0;                                                         // jamming
-      impulse = direction * (-(1 + restitution) * u.x / denominator);                         // (4.11) with u_n, not Δu_n
+      if (denominator <= 0) return 0;  // jamming
+      impulse = direction * (-(1 + restitution) * u.x / denominator);  // thesis (3.18) with u_n, not Δu_n
     }
     apply(a, b, m, p, impulse);
     a.store(body(m.a)), b.store(body(m.b));
@@ -278,7 +278,7 @@ class SubStep {
     report_.broken.push_back(i);
   }
 
-  // --- contacts: the same formulas with restitution −1 … 0, that is 1 + e = ρ as a relaxation factor ---
+  // --- contacts, thesis (3.19): the same formulas with restitution −1 … 0, that is 1 + e = ρ as a relaxation factor ---
 
   void hold() {
     warm_start();
@@ -351,7 +351,7 @@ class SubStep {
     return change;
   }
 
-  // Split impulse (4.13)–(4.15): the overlap is removed in a pseudo velocity that moves bodies and is forgotten.
+  // Split impulse, thesis (3.20): the overlap is removed in a pseudo velocity that moves bodies and is forgotten.
   Real push(ManifoldRow& m) {
     SolverBody &a = body(m.a), &b = body(m.b);
     const Vec3 n = m.frame.c0;
@@ -389,7 +389,7 @@ class SubStep {
     for (const JointSolve& j : joints_in_step_) j.store(joints_);
   }
 
-  // (4.16) x += h (v + v_bias), and the exponential map for the turn.
+  // thesis (3.21): x += h (v + v_bias), and the exponential map for the turn.
   void move() {
     std::vector<std::uint8_t> integrated(bodies_.size(), 0);
     for (const std::uint32_t i : in_.smooth) integrated[i] = 1;
