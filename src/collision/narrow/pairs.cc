@@ -11,9 +11,9 @@ const PlaneProxy* find(std::span<const PlaneProxy> planes, std::uint32_t proxy) 
 
 // A half space looks the same from anywhere on its surface: its pose, moved to the foot of `near`.
 Pose foot(const Pose& plane, const Pos& near) {
-  const Vec3d n = rotate(Quatd{plane.q.x, plane.q.y, plane.q.z, plane.q.w}, Vec3d{0, 1, 0});
+  const Vec3d n = rotate(normalize(Quatd{plane.q.x, plane.q.y, plane.q.z, plane.q.w}), Vec3d{0, 1, 0});
   const Vec3d d{near.x - plane.p.x, near.y - plane.p.y, near.z - plane.p.z};
-  return {plane.p + (d - n * (dot(d, n) / dot(n, n))), plane.q};
+  return {plane.p + (d - n * dot(d, n)), plane.q};
 }
 
 // Both poses relative to that of a, except that a half space is taken at its foot, in double: far from its origin a

@@ -100,6 +100,20 @@ TEST(BoxOnBox, TiltedPlanksKeepFourPoints) {
   }
 }
 
+TEST(BoxOnBox, ManySidedFacesKeepFourOfTheRim) {
+  const Shape drum = cylinder(1, 1, 100);
+  const Manifold m = contact(drum, here, drum, at(0.3, 0.999, 0), 0.01);
+  ASSERT_EQ(m.count, 4);
+  double spread = 0;
+  for (const ManifoldPoint& p : points(m)) {
+    EXPECT_NEAR(p.separation, -0.001, eps);
+    EXPECT_LT(std::hypot(p.at.x, p.at.z), 1.001);
+    EXPECT_LT(std::hypot(p.at.x - 0.3, p.at.z), 1.001);
+    for (const ManifoldPoint& q : points(m)) spread = std::max(spread, double(length(p.at - q.at)));
+  }
+  EXPECT_GT(spread, 1.8);  // the lens is 1.98 long
+}
+
 TEST(BoxOnBox, NothingIsClaimedAcrossAGapBesideTheFaces) {
   const Shape cube = box({2, 2, 2});
   EXPECT_EQ(contact(cube, here, cube, at(2.005, 2.005, 0), 0.006).count, 0);

@@ -24,6 +24,7 @@ struct Pair {
 Pair random_pair(Random& random) {
   Pair p{random_hull(random), random_hull(random), {random.in_box(2), random.turn()}, {}};
   const int turn = random.below(4);
+  if (turn < 2 && random.below(2) == 0) p.b = p.a;
   p.at_b.q = turn == 0   ? p.at_a.q
              : turn == 1 ? p.at_a.q * turned(random.direction(), std::pow(10.0, random.uniform(-7, -1)))
              : turn == 2 ? p.at_a.q * turned({0, 1, 0}, random.uniform(0, 6))
@@ -43,6 +44,7 @@ void check_points(const Manifold& m, const WideHull& a, const WideHull& b, doubl
   const double along = separation_along(a, b, -wide(m.normal));
   EXPECT_GE(along, std::min(truth, 0.0) - 2 * tolerance) << "the normal is not that of the least depth";
   EXPECT_GE(lowest_separation(m), along - tolerance) << "deeper than the true depth";
+  if (truth < 0) { EXPECT_LE(lowest_separation(m), truth / 2 + 2 * tolerance) << "the deepest place was missed"; }
   for (const ManifoldPoint& p : points(m)) {
     const double widening = std::abs(p.separation) + tolerance;
     EXPECT_LE(a.height(wide(p.at)), widening);
@@ -70,12 +72,66 @@ TEST(HullOracle, ContactExactlyWhereHullsOverlap) {
     if (truth < -tolerance) { ASSERT_GT(near.count, 0); }
     if (truth > 0.05 + tolerance) { ASSERT_EQ(near.count, 0); }
     if (near.count > 0) {
-      gaps += truth > 0;
+      if (truth > 0) {
+        ++gaps;
+        EXPECT_LT(distance_between(p.a, a, p.b, b), 0.05 + tolerance) << "phantom across a gap";
+      }
       check_points(near, a, b, truth);
     }
   }
   EXPECT_GT(touching, pairs_to_try() / 4);
   EXPECT_GT(gaps, pairs_to_try() / 50);
+}
+
+// Faces of more corners than the stack holds, nearly parallel edges by the hundred.
+TEST(HullOracle, ManySidedHulls) {
+  Random random(4);
+  const Shape shapes[] = {cylinder(1, Real(0.7), 70), cone(1, 1, 40), truncated_icosahedron(Real(0.4)), box({1, 1, 1})};
+  int touching = 0;
+  for (int i = 0; i < 40; ++i) {
+    SCOPED_TRACE(i);
+    const Shape &sa = shapes[random.below(3)], &sb = shapes[random.below(4)];
+    const Transform at_a{random.in_box(1), random.turn()};
+    Transform at_b{at_a.p + random.direction() * Real(2), random.below(2) ? random.turn() : at_a.q};
+    const WideHull a(sa, at_a);
+    at_b.p += normalize(at_a.p - at_b.p) * Real(oracle_separation(a, {sb, at_b}) + random.uniform(-0.1, 0.3));
+    const WideHull b(sb, at_b);
+    const double truth = oracle_separation(a, b);
+    const Manifold m = contact(sa, at_a, sb, at_b);
+    if (std::abs(truth) > tolerance) { ASSERT_EQ(m.count > 0, truth < 0) << truth; }
+    if (m.count > 0) ++touching, check_points(m, a, b, truth);
+  }
+  EXPECT_GT(touching, 10);
+}
+
+// Edge against edge, turned by almost nothing: the cross product is then mostly rounding.
+TEST(HullOracle, NearlyParallelEdges) {
+  Random random(6);
+  int touching = 0;
+  for (int i = 0; i < pairs_to_try() / 4; ++i) {
+    SCOPED_TRACE(i);
+    // A box askew in its frame: no edge has a component that is zero or exact.
+    const Vec3 half{Real(random.uniform(0.2, 1)), Real(random.uniform(0.2, 1)), 1};
+    const Quat askew = random.turn();
+    std::vector<Vec3> corners;
+    for (int k = 0; k < 8; ++k) {
+      corners.push_back(
+          rotate(askew, scale(half, Vec3{Real(k & 1) * 2 - 1, Real(k >> 1 & 1) * 2 - 1, Real(k >> 2) * 2 - 1})));
+    }
+    const Shape shape = hull(corners);
+    const Transform at_a{{}, turned({0, 0, 1}, random.uniform(0.4, 1.2)) * conjugate(askew)};
+    Transform at_b{{3, Real(random.uniform(-0.3, 0.3)), Real(random.uniform(-1, 1))},
+                   turned(random.direction(), std::pow(10.0, random.uniform(-7, -2))) * at_a.q};
+    const WideHull a(shape, at_a);
+    for (int k = 0; k < 12; ++k) at_b.p.x -= Real(oracle_separation(a, {shape, at_b}));  // until they touch
+    at_b.p.x -= Real(random.uniform(-0.005, 0.01));
+    const WideHull b(shape, at_b);
+    const double truth = oracle_separation(a, b);
+    const Manifold m = contact(shape, at_a, shape, at_b);
+    if (std::abs(truth) > tolerance) { ASSERT_EQ(m.count > 0, truth < 0) << truth; }
+    if (m.count > 0) ++touching, check_points(m, a, b, truth);
+  }
+  EXPECT_GT(touching, pairs_to_try() / 16);
 }
 
 TEST(HullOracle, CacheChangesNothing) {
@@ -99,8 +155,11 @@ TEST(HullOracle, CacheChangesNothing) {
       p.at_b.p += random.in_box(step == 2 ? 0.5 : 0.01);
       p.at_b.q = p.at_b.q * turned(random.direction(), step == 2 ? 0.5 : 0.01);
     }
-    warm = {std::uint32_t(random.below(6)), std::uint32_t(random.below(99)), std::uint32_t(random.below(99))};
-    collide({&p.a.geometry(), p.at_a}, {&p.b.geometry(), p.at_b}, Real(0.01), warm, *std::make_unique<Manifold>());
+    // A cache of another pair, with numbers that this one does not have.
+    AxisCache foreign{std::uint32_t(random.below(6)), std::uint32_t(random.below(99)), std::uint32_t(random.below(99))};
+    Manifold m;
+    collide({&p.a.geometry(), p.at_a}, {&p.b.geometry(), p.at_b}, Real(0.01), foreign, m);
+    EXPECT_EQ(m.normal, contact(p.a, p.at_a, p.b, p.at_b, 0.01).normal);
   }
 }
 

@@ -211,8 +211,8 @@ TEST(Pairs, FloorIsExactFarFromItsOrigin) {
   Model m;
   const Quat slope = turned({0, 0, 1}, -0.5);
   m.add_plane({{}, slope});
-  const Quatd q{slope.x, slope.y, slope.z, slope.w};
-  const Vec3d along = rotate(q, Vec3d{1, 0, 0}) / length_squared(q), up = rotate(q, Vec3d{0, 1, 0}) / length_squared(q);
+  const Quatd q = normalize(Quatd{slope.x, slope.y, slope.z, slope.w});
+  const Vec3d along = rotate(q, Vec3d{1, 0, 0}), up = rotate(q, Vec3d{0, 1, 0});
   m.add();
   m.geometry[1] = &m.shapes[1].geometry();
   m.proxies[1].fixed = false;

@@ -6,30 +6,6 @@
 namespace sudar::test {
 namespace {
 
-double distance_to_segment(const Vec3d& a, const Vec3d& b, const Vec3d& p) {
-  return length(p - a - (b - a) * std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0));
-}
-
-double distance_to_triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& p) {
-  const Vec3d n = cross(b - a, c - a);
-  const auto inside = [&](const Vec3d& u, const Vec3d& v) { return dot(cross(v - u, p - u), n) >= 0; };
-  if (length(n) > 1e-12 && inside(a, b) && inside(b, c) && inside(c, a)) return std::abs(dot(n, p - a)) / length(n);
-  return std::min({distance_to_segment(a, b, p), distance_to_segment(b, c, p), distance_to_segment(c, a, p)});
-}
-
-// 0 inside.
-double distance_to_hull(const Shape& shape, const WideHull& hull, const Vec3d& p) {
-  if (hull.height(p) <= 0) return 0;
-  double best = 1e300;
-  for (const auto& loop : shape.faces()) {
-    for (std::size_t i = 2; i < loop.size(); ++i) {
-      const auto& v = hull.vertices;
-      best = std::min(best, distance_to_triangle(v[loop[0]], v[loop[i - 1]], v[loop[i]], p));
-    }
-  }
-  return best;
-}
-
 // The least of a convex function on 0…1, by golden sections.
 template <class F>
 double least(F f) {

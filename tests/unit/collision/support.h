@@ -2,6 +2,7 @@
 // by brute force in double as the oracle.
 #pragma once
 
+#include "collision/narrow/closest.h"
 #include "collision/narrow/collide.h"
 
 #include <algorithm>
@@ -109,6 +110,48 @@ inline double oracle_separation(const WideHull& a, const WideHull& b) {
       const double l = length(c);
       if (l <= 1e-9 * length(ea) * length(eb)) continue;
       best = std::max(best, std::max(separation_along(a, b, c / l), separation_along(a, b, -(c / l))));
+    }
+  }
+  return best;
+}
+
+// --- true distances, from the nearest triangle or edge ---
+
+inline double distance_to_segment(const Vec3d& a, const Vec3d& b, const Vec3d& p) {
+  return length(p - a - (b - a) * std::clamp(dot(p - a, b - a) / dot(b - a, b - a), 0.0, 1.0));
+}
+
+inline double distance_to_triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& p) {
+  const Vec3d n = cross(b - a, c - a);
+  const auto inside = [&](const Vec3d& u, const Vec3d& v) { return dot(cross(v - u, p - u), n) >= 0; };
+  if (length(n) > 1e-12 && inside(a, b) && inside(b, c) && inside(c, a)) return std::abs(dot(n, p - a)) / length(n);
+  return std::min({distance_to_segment(a, b, p), distance_to_segment(b, c, p), distance_to_segment(c, a, p)});
+}
+
+// 0 inside.
+inline double distance_to_hull(const Shape& shape, const WideHull& hull, const Vec3d& p) {
+  if (hull.height(p) <= 0) return 0;
+  double best = 1e300;
+  for (const auto& loop : shape.faces()) {
+    for (std::size_t i = 2; i < loop.size(); ++i) {
+      const auto& v = hull.vertices;
+      best = std::min(best, distance_to_triangle(v[loop[0]], v[loop[i - 1]], v[loop[i]], p));
+    }
+  }
+  return best;
+}
+
+// Of two hulls that are apart. Edges meet as in closest(), which round_test.cc tests.
+inline double distance_between(const Shape& sa, const WideHull& a, const Shape& sb, const WideHull& b) {
+  double best = 1e300;
+  for (const Vec3d& v : a.vertices) best = std::min(best, distance_to_hull(sb, b, v));
+  for (const Vec3d& v : b.vertices) best = std::min(best, distance_to_hull(sa, a, v));
+  const auto narrow = [](const Vec3d& v) { return Vec3{Real(v.x), Real(v.y), Real(v.z)}; };
+  for (const Polyhedron::Edge& ea : sa.geometry().hull.edges) {
+    for (const Polyhedron::Edge& eb : sb.geometry().hull.edges) {
+      const SegmentPoints c = closest({narrow(a.vertices[ea.from]), narrow(a.vertices[ea.to] - a.vertices[ea.from])},
+                                      {narrow(b.vertices[eb.from]), narrow(b.vertices[eb.to] - b.vertices[eb.from])});
+      best = std::min(best, double(length(c.on_a - c.on_b)));
     }
   }
   return best;
