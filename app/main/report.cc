@@ -1,5 +1,6 @@
 #include "main/report.h"
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 
@@ -7,19 +8,16 @@ namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
 
-Json number(double v) { return std::isfinite(v) ? Json(v) : Json(nullptr); }
-
-// Real's shortest decimal form, instead of the digits that float gains on its way to double.
-Json number(float v) {
+// A float gets its own shortest decimal form, instead of the digits that it gains on its way to double.
+template <class T>
+Json number(T v) {
   if (!std::isfinite(v)) return nullptr;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.9g", double(v));
-  for (int digits = 6; digits < 9; ++digits) {
-    char shorter[32];
-    std::snprintf(shorter, sizeof shorter, "%.*g", digits, double(v));
-    if (std::strtof(shorter, nullptr) == v) return std::strtod(shorter, nullptr);
+  if constexpr (std::is_same_v<T, float>) {
+    char text[32];
+    const auto [end, error] = std::to_chars(text, text + sizeof text, v);
+    return std::strtod(std::string(text, end).c_str(), nullptr);
   }
-  return std::strtod(text, nullptr);
+  return v;
 }
 
 // Writes whatever has a describe().

@@ -99,8 +99,8 @@ Image read_png(const std::string& path, PngText* text) {
   png_read_end(r.png, r.info);
   if (text) {
     png_textp chunks = nullptr;
-    const png_uint_32 count = png_get_text(r.png, r.info, &chunks, nullptr);
-    for (png_uint_32 i = 0; i < count; ++i) text->emplace_back(chunks[i].key, chunks[i].text);
+    const int count = png_get_text(r.png, r.info, &chunks, nullptr);
+    for (int i = 0; i < count; ++i) text->emplace_back(chunks[i].key, chunks[i].text);
   }
   return image;
 }

@@ -41,7 +41,7 @@ void Params::operator()(std::string_view name, bool& value, std::string_view abo
 
 void Params::require_all_known() const {
   for (const auto& [name, value] : values_) {
-    const auto is = [&](const Entry& e) { return e.name == name; };
+    const auto is = [&wanted = name](const Entry& e) { return e.name == wanted; };  // clang 14 captures no bindings
     if (std::any_of(entries_.begin(), entries_.end(), is)) continue;
     std::string there;
     for (const Entry& e : entries_) there += (there.empty() ? "" : ", ") + e.name;

@@ -92,7 +92,8 @@ void expect_as_documented(const Json& output, bool bench) {
         std::any_of(table.begin(), table.end(), [&](const auto& row) { return matches(row.first, field); });
     EXPECT_TRUE(known) << field << " is not documented in docs/json.md";
   }
-  for (const auto& [pattern, when] : table) {
+  for (const auto& row : table) {
+    const std::string &pattern = row.first, &when = row.second;
     if (when == "some" || (when == "bench" && !bench)) continue;
     const bool there = std::any_of(fields.begin(), fields.end(), [&](const auto& f) { return matches(pattern, f); });
     EXPECT_TRUE(there) << pattern << " is documented but not printed";
