@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::bench {
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;

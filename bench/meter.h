@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::bench {
 
 // The middle one of the values, 0 of none.
 double median(std::vector<double> values);

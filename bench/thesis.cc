@@ -1,6 +1,6 @@
 #include "bench/thesis.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::bench {
 
 std::span<const ThesisCase> thesis_cases() {
   static const ThesisCase cases[] = {

@@ -8,7 +8,7 @@
 
 #include "bench/meter.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::bench {
 
 struct ThesisCase {
   const char* title;

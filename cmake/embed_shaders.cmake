@@ -1,4 +1,4 @@
-# embed_shaders(OUTPUT FILE…): writes a C++ file that defines sudar::shader_text() with the contents of the files.
+# embed_shaders(OUTPUT FILE…): writes a C++ file that defines sudar::view::shader_text() with the contents of the files.
 # Rewritten at the next build whenever one of them changes.
 function(embed_shaders OUTPUT)
   set(entries "")
@@ -9,5 +9,5 @@ function(embed_shaders OUTPUT)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
   endforeach()
   file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT
-    "#include \"view/shaders.h\"\n\n#include <stdexcept>\n\nstd::string sudar::shader_text(const std::string& file) {\n${entries}  throw std::runtime_error(\"no shader \" + file);\n}\n")
+    "#include \"view/shaders.h\"\n\n#include <stdexcept>\n\nstd::string sudar::view::shader_text(const std::string& file) {\n${entries}  throw std::runtime_error(\"no shader \" + file);\n}\n")
 endfunction()

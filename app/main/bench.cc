@@ -8,7 +8,9 @@
 #include "main/progress.h"
 #include "main/report.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
+
+using namespace bench;
 
 namespace {
 

@@ -9,7 +9,7 @@
 
 #include "main/plugins.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 using Action = std::function<int(const Catalogue&)>;
 

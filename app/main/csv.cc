@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "main/files.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 class Csv {
  public:

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 namespace {
 

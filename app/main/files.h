@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 Bytes read_file(const std::string& path);  // throws Error naming the file
 void write_file(const std::string& path, std::span<const std::byte>);

@@ -8,7 +8,10 @@
 #include "main/report.h"
 #include "view/offscreen.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
+
+using namespace bench;
+using namespace view;
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include "main/command.h"
 #include "main/report.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 namespace {
 

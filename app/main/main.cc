@@ -6,6 +6,7 @@
 #include "main/command.h"
 
 using namespace sudar;
+using namespace sudar::app;
 
 namespace {
 

@@ -15,7 +15,9 @@
 
 extern char** environ;
 
-namespace sudar {
+namespace sudar::app {
+
+using namespace view;
 
 namespace {
 

@@ -7,17 +7,17 @@
 
 #include "view/png.h"
 
-namespace sudar {
+namespace sudar::app {
 
 class Movie {
  public:
   virtual ~Movie() = default;  // of a movie that was not finished nothing remains but PNG files
-  virtual void add(const Image&) = 0;
+  virtual void add(const view::Image&) = 0;
   virtual std::string finish() = 0;  // returns what there is now, in words
 };
 
 // `path` ends with .mp4 or .webm. Throws Error naming what is wrong.
 std::unique_ptr<Movie> make_movie(const std::string& path, int width, int height, int frames_per_second,
-                                  const PngText& provenance);
+                                  const view::PngText& provenance);
 
 }

@@ -5,7 +5,9 @@
 #include "main/files.h"
 #include "main/report.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
+
+using namespace view;
 
 namespace {
 

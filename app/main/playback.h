@@ -8,7 +8,7 @@
 #include "view/png.h"
 #include "view/scene.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 class Playback {
  public:
@@ -28,7 +28,7 @@ class Playback {
 };
 
 // The picture of it as it is now.
-Scene scene_of(const Playback&);
+view::Scene scene_of(const Playback&);
 
 // A recording where there is a file of that name, else a scenario.
 std::unique_ptr<Playback> open_playback(const SceneOptions&, const Catalogue&);
@@ -37,6 +37,6 @@ std::unique_ptr<Playback> open_playback(const SceneOptions&, const Catalogue&);
 std::unique_ptr<Playback> play(Session&);
 
 // Where a picture comes from: version, scenario, parameters, time, step, state.
-PngText provenance(const Playback&);
+view::PngText provenance(const Playback&);
 
 }

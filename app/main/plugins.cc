@@ -10,7 +10,7 @@
 #include "scenarios/linked.h"
 #endif
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 void Plugins::Close::operator()(void* library) const { dlclose(library); }
 

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 class Plugins {
  public:

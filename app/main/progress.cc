@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace sudar {
+namespace sudar::app {
 
 Progress::Progress(std::string title, double total)
     : title_(std::move(title)), total_(total), terminal_(isatty(STDERR_FILENO) == 1) {}

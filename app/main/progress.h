@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-namespace sudar {
+namespace sudar::app {
 
 class Progress {
  public:

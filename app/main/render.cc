@@ -11,7 +11,9 @@
 #include "main/progress.h"
 #include "view/offscreen.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
+
+using namespace view;
 
 namespace {
 

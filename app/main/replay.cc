@@ -8,7 +8,7 @@
 #include "main/progress.h"
 #include "main/report.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 namespace {
 

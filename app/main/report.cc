@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
+
+using namespace bench;
 
 namespace {
 

@@ -7,11 +7,11 @@
 
 #include "bench/meter.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 using Json = nlohmann::ordered_json;
 
-Json report(const Session&, const Meter&);
+Json report(const Session&, const bench::Meter&);
 
 // `check` has no verdict that is bad.
 bool nothing_failed(const Check&);

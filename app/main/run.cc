@@ -10,7 +10,9 @@
 #include "main/report.h"
 #include "main/scene_options.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
+
+using namespace bench;
 
 namespace {
 

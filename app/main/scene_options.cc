@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 namespace {
 

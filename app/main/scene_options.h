@@ -5,7 +5,7 @@
 
 #include <CLI/App.hpp>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::app {
 
 struct SceneOptions {
   std::string scene;

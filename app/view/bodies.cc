@@ -4,7 +4,7 @@
 
 #include "view/palette.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 namespace {
 

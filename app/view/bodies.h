@@ -5,7 +5,7 @@
 #include "view/instances.h"
 #include "view/scene.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 class Bodies {
  public:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "view/scene.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 // A ball round what matters in a scene: the moving bodies without the odd one that flew far away, and the fixed ones
 // that are about as large and near. A scene without bodies has a ball of 5 m.

@@ -3,7 +3,7 @@
 
 #include "view/camera.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 struct FrameBlock {  // std140: only whole matrices and vectors of four
   Mat4 view_projection, inverse_view_projection, sun_projection;

@@ -4,7 +4,7 @@
 
 #include "view/shaders.h"
 
-namespace sudar::gl {
+namespace sudar::view::gl {
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include "view/linear.h"
 
-namespace sudar::gl {
+namespace sudar::view::gl {
 
 // The name of an object; 0 is none.
 template <void (*Destroy)(GLuint)>

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 namespace {
 

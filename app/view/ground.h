@@ -4,7 +4,7 @@
 #include "view/camera.h"
 #include "view/gl.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 class Ground {
  public:

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace sudar {
+namespace sudar::view {
 
 struct Image {
   int width = 0, height = 0;

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 namespace {
 

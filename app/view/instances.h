@@ -4,7 +4,7 @@
 #include "view/gl.h"
 #include "view/mesh.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 struct GpuInstance {
   Vec3f position;  // relative to the eye

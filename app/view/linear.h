@@ -4,7 +4,7 @@
 
 #include <sudar/math.h>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 using Vec3f = Vec3T<float>;
 

@@ -5,7 +5,7 @@
 #include "view/instances.h"
 #include "view/renderer.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 class Marks {
  public:

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 namespace {
 

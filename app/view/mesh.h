@@ -9,7 +9,7 @@
 
 #include "view/linear.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 struct MeshVertex {
   Vec3f position;

@@ -7,7 +7,7 @@
 
 #include "view/gl.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 namespace {
 

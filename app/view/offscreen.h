@@ -6,7 +6,7 @@
 
 #include "view/renderer.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 class Offscreen {
  public:

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 namespace {
 

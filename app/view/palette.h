@@ -5,7 +5,7 @@
 
 #include "view/linear.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 Vec3f body_colour(std::uint32_t shape_number, std::uint32_t body_number);  // linear light
 Vec3f fixed_colour();

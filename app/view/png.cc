@@ -6,7 +6,7 @@
 #include <memory>
 #include <stdexcept>
 
-namespace sudar {
+namespace sudar::view {
 
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include "view/image.h"
 
-namespace sudar {
+namespace sudar::view {
 
 // Keys and values, in order: "Software", "scenario", "time", …
 using PngText = std::vector<std::pair<std::string, std::string>>;

@@ -8,7 +8,7 @@
 #include "view/ground.h"
 #include "view/marks.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 namespace {
 

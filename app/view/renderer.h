@@ -10,7 +10,7 @@
 #include "view/image.h"
 #include "view/scene.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 struct Style {
   bool contacts = false, joints = false, axes = false;  // marks over the picture

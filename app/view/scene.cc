@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 void add_instance(Scene& scene, const Shape& shape, Instance instance) {
   // Bodies of one shape mostly follow each other: look from the end. The pointer first, since it is cheap.

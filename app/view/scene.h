@@ -6,7 +6,7 @@
 
 #include "view/linear.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 struct Instance {
   std::uint32_t shape = 0;  // number in Scene::shapes

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace sudar {
+namespace sudar::view {
 
 std::string shader_text(const std::string& file);  // throws std::runtime_error: no such file
 

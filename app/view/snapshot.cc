@@ -2,7 +2,7 @@
 #include "view/palette.h"
 #include "view/scene.h"
 
-namespace sudar::inline SUDAR_PRECISION {
+namespace sudar::view {
 
 namespace {
 

@@ -264,8 +264,8 @@ TEST_F(Cli, CsvHasUnitsAndARowForEveryStep) {
 TEST_F(Cli, APictureTellsWhereItComesFrom) {
   const Result r = sudar("render spinning_ball -o ball.png --at 0.5 --size 320x180 --contacts");
   ASSERT_EQ(r.code, 0) << r.err;
-  sudar::PngText text;
-  const sudar::Image image = sudar::read_png(file("ball.png"), &text);
+  sudar::view::PngText text;
+  const sudar::view::Image image = sudar::view::read_png(file("ball.png"), &text);
   EXPECT_EQ(image.width, 320);
   EXPECT_EQ(image.height, 180);
   const std::map<std::string, std::string> notes(text.begin(), text.end());

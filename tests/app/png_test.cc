@@ -5,6 +5,7 @@
 #include <fstream>
 
 using namespace sudar;
+using namespace sudar::view;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "view/palette.h"
 
 using namespace sudar;
+using namespace sudar::view;
 
 namespace {
 
