@@ -48,12 +48,16 @@ struct Material {
   Real friction_static = Real(0.6);   // Coulomb, largest tangential / normal force without slip
   Real friction_dynamic = Real(0.6);  // the same while slipping
   Real restitution = 0;               // relative normal speed after / before an impact
+  Real rolling = 0;                   // m: torque that resists rolling / normal force
+  Real spinning = 0;                  // m: torque that resists spinning about the normal / normal force
 };
 template <class V, Like<Material> T>
 void describe(V& v, T& d) {
   v("friction_static", d.friction_static, not_negative);
   v("friction_dynamic", d.friction_dynamic, not_negative);
   v("restitution", d.restitution, fraction);
+  v("rolling", d.rolling, not_negative);
+  v("spinning", d.spinning, not_negative);
 }
 
 // Two bodies may touch when each one's category is in the other's mask; but bodies of the same non-zero group always
@@ -304,6 +308,7 @@ struct Impulse2007 {
   bool joint_correction_in_velocity = false; // joints are pulled back in the real velocity, as in the prototype's net
   bool one_point_contact = false;            // as in the thesis: a contact is one point, the centre of the overlap
   bool friction_per_increment = false;       // as in the thesis: the friction cone is tested per increment
+  bool shock_propagation = false;            // a last sweep from the ground up, lower levels frozen
 };
 template <class V, Like<Impulse2007> T>
 void describe(V& v, T& d) {
@@ -312,6 +317,7 @@ void describe(V& v, T& d) {
   v("joint_correction", d.joint_correction, fraction);
   v("joint_correction_in_velocity", d.joint_correction_in_velocity, any);
   v("one_point_contact", d.one_point_contact, any), v("friction_per_increment", d.friction_per_increment, any);
+  v("shock_propagation", d.shock_propagation, any);
 }
 
 struct Config {

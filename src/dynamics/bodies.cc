@@ -5,7 +5,7 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-static_assert(sizeof(Material) == 3 * sizeof(Real) && sizeof(Filter) == 12 && sizeof(Transform) == 7 * sizeof(Real),
+static_assert(sizeof(Material) == 5 * sizeof(Real) && sizeof(Filter) == 12 && sizeof(Transform) == 7 * sizeof(Real),
               "arrays of these are saved as they lie in memory, so they must not have padding");
 
 namespace {

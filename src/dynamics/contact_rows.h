@@ -27,6 +27,14 @@ struct PointRow {
   bool hit = false;            // took part in a collision
 };
 
+// Resistance to rolling and spinning: one row of torque for the whole contact, in the contact's frame (x spins, y and z
+// roll). Its limits are lengths times the normal impulse.
+struct TurnRow {
+  Mat3Lanes turn_a, turn_b;    // I⁻¹ times the frame
+  Real spin_mass, roll_mass;   // 1 / nᵀI⁻¹n, 1 / the larger tangential eigenvalue
+  Vec3 impulse;                // accumulated, N m s
+};
+
 struct ManifoldRow {
   Mat3Lanes to_frame;          // world → contact's frame
   Mat3Lanes mass_a, mass_b;    // impulse in the contact's frame → change of v: 1/m times the frame
@@ -35,7 +43,9 @@ struct ManifoldRow {
   Real friction;               // static or dynamic, chosen once a sub-step
   Mat3 frame;                  // columns: normal from b to a, two tangents
   PairMaterial material;
+  TurnRow turn;
   std::array<PointRow, 4> points;
+  bool resists_turning() const { return material.rolling > 0 || material.spinning > 0; }
   std::span<PointRow> rows() { return std::span(points).first(count); }
   std::span<const PointRow> rows() const { return std::span(points).first(count); }
 };
@@ -47,12 +57,12 @@ struct Moving {
   void store(SolverBody& b) const { b.v = vector(v), b.w = vector(w); }
 };
 
-// u in the contact's frame.
+// u in the contact's frame, thesis (3.9).
 inline Real4 relative_velocity(const Moving& a, const Moving& b, const ManifoldRow& m, const PointRow& p) {
   return m.to_frame * (a.v - b.v) + (p.arm_a * a.w - p.arm_b * b.w);
 }
 
-// thesis (3.7), (3.8), (3.9), (3.10), (3.12)
+// thesis (3.7), (3.8), (3.10), (3.12)
 inline void apply(Moving& a, Moving& b, const ManifoldRow& m, const PointRow& p, const Vec3& impulse) {
   const Real4 step = lanes(impulse);
   a.v += m.mass_a * step;
@@ -63,16 +73,21 @@ inline void apply(Moving& a, Moving& b, const ManifoldRow& m, const PointRow& p,
 
 inline Real slide(const Vec3& u) { return sqrt(square(u.y) + square(u.z)); }  // the tangential part's length
 
-// Sets what depends on K alone, thesis (3.11), (3.13):
-// K = (1/m_a + 1/m_b) E − r̃_a I_a⁻¹ r̃_a − r̃_b I_b⁻¹ r̃_b, in the frame of the contact.
+// 1 / the larger eigenvalue of the tangential block of a symmetric K.
+inline Real tangential_mass(const Mat3& k) {
+  const Real mean = (k.c1.y + k.c2.z) * Real(0.5);
+  return 1 / (mean + sqrt(square((k.c1.y - k.c2.z) * Real(0.5)) + square(k.c1.z)));
+}
+
+// Sets what depends on K alone: thesis (3.11), (3.13) K = (1/m_a + 1/m_b) E − r̃_a I_a⁻¹ r̃_a − r̃_b I_b⁻¹ r̃_b, in the contact's
+// frame.
 inline void prepare_masses(PointRow& p, const Mat3& to_frame, const SolverBody& a, const SolverBody& b) {
   const Mat3 arm_a = to_frame * Mat3::skew(-p.ra), arm_b = to_frame * Mat3::skew(-p.rb);
   const Mat3 turn_a = a.inverse_inertia * transpose(arm_a), turn_b = b.inverse_inertia * transpose(arm_b);
   const Real inverse_mass = a.inverse_mass + b.inverse_mass;
   const Mat3 k = Mat3::diagonal({inverse_mass, inverse_mass, inverse_mass}) + arm_a * turn_a + arm_b * turn_b;
-  const Real mean = (k.c1.y + k.c2.z) * Real(0.5);
   p.normal_mass = 1 / k.c0.x;
-  p.tangent_mass = 1 / (mean + sqrt(square((k.c1.y - k.c2.z) * Real(0.5)) + square(k.c1.z)));
+  p.tangent_mass = tangential_mass(k);
   p.slide_y = p.tangent_mass * k.c0.y;
   p.slide_z = p.tangent_mass * k.c0.z;
   p.arm_a = lanes(arm_a), p.arm_b = lanes(arm_b);
@@ -98,6 +113,36 @@ inline Vec3 answer(const PointRow& p, const Real4& u, Real target, Real relaxati
 // A step as the relative velocity that it answers, unrelaxed.
 inline Real size(const PointRow& p, const Vec3& step, Real relaxation) {
   return max(abs(step.x) / (p.normal_mass * relaxation), max(abs(step.y), abs(step.z)) / p.tangent_mass);
+}
+
+inline void prepare_turning(TurnRow& t, const Mat3& frame, const SolverBody& a, const SolverBody& b) {
+  const Mat3 turn_a = a.inverse_inertia * frame, turn_b = b.inverse_inertia * frame;
+  const Mat3 k = transpose(frame) * (turn_a + turn_b);
+  t.turn_a = lanes(turn_a), t.turn_b = lanes(turn_b);
+  t.spin_mass = 1 / k.c0.x;
+  t.roll_mass = tangential_mass(k);
+}
+
+inline void apply_turning(Moving& a, Moving& b, const TurnRow& t, const Vec3& impulse) {
+  const Real4 step = lanes(impulse);
+  a.w += t.turn_a * step;
+  b.w -= t.turn_b * step;
+}
+
+// One visit: brakes the relative turning as far as `load`, the contact's normal impulse, can. Returns the change of the
+// relative angular velocity.
+inline Real resist_turning(ManifoldRow& m, Moving& a, Moving& b, Real load) {
+  TurnRow& t = m.turn;
+  const Vec3 w = vector(m.to_frame * (a.w - b.w));
+  const Real spin_most = m.material.spinning * load, roll_most = m.material.rolling * load;
+  Vec3 next{clamp(t.impulse.x - t.spin_mass * w.x, -spin_most, spin_most), t.impulse.y - t.roll_mass * w.y,
+            t.impulse.z - t.roll_mass * w.z};
+  const Real rolling = slide(next);
+  if (rolling > roll_most) next.y *= roll_most / rolling, next.z *= roll_most / rolling;
+  const Vec3 step = next - t.impulse;
+  apply_turning(a, b, t, step);
+  t.impulse = next;
+  return max(abs(step.x) / t.spin_mass, max(abs(step.y), abs(step.z)) / t.roll_mass);
 }
 
 // Whether the contact as a whole is at the edge of its cone: in sum, or (turning on the spot) in every loaded point.

@@ -10,8 +10,9 @@ namespace sudar::inline SUDAR_PRECISION {
 struct ContactImpulse {
   std::array<Real, 4> normal{};
   std::array<Vec3, 4> friction{};
+  Vec3 turning;  // of the whole contact: rolling and spinning resistance, N m s, world axes
 };
-static_assert(sizeof(ContactImpulse) == 16 * sizeof(Real), "saved as bytes");
+static_assert(sizeof(ContactImpulse) == 19 * sizeof(Real), "saved as bytes");
 
 struct Contacts {
 #define CONTACT_FIELD(type, name, unit, stage) std::vector<type> name;
@@ -44,6 +45,7 @@ struct Contacts {
 // The pair's material of two bodies' materials.
 struct PairMaterial {
   Real friction_static, friction_dynamic, restitution;
+  Real rolling, spinning;  // m; the more resistant of the two materials decides
 };
 inline Real mix(Mix how, Real a, Real b) {
   switch (how) {
@@ -57,7 +59,8 @@ inline Real mix(Mix how, Real a, Real b) {
 inline PairMaterial mix(const Config& config, const Material& a, const Material& b) {
   return {mix(config.friction_mix, a.friction_static, b.friction_static),
           mix(config.friction_mix, a.friction_dynamic, b.friction_dynamic),
-          mix(config.restitution_mix, a.restitution, b.restitution)};
+          mix(config.restitution_mix, a.restitution, b.restitution), max(a.rolling, b.rolling),
+          max(a.spinning, b.spinning)};
 }
 
 }

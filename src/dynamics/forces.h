@@ -1,4 +1,4 @@
-// External forces (thesis §3.4: surface gravity, resistance of the medium, n-body gravity, a force at a point).
+// External forces, thesis §3.4: surface gravity (thesis (3.5)), resistance of the medium, n-body gravity, a force at a point.
 #pragma once
 
 #include "dynamics/bodies.h"

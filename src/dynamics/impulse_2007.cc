@@ -27,6 +27,7 @@ class SubStep {
         report_(report), h_(input.h), g_(length(gravity(input.forces))), memory_(memory),
         manifolds_(memory.manifolds), joints_in_step_(memory.joints) {}
 
+  // The main loop, thesis §3.3, from the second step on (the first, detection, is done).
   void run() {
     gather();
     manifolds_.resize(in_.contacts.size());
@@ -82,6 +83,10 @@ class SubStep {
     m.to_frame = lanes(to_frame);
     m.mass_a = lanes(m.frame * a.inverse_mass);
     m.mass_b = lanes(m.frame * b.inverse_mass);
+    if (m.resists_turning()) {
+      prepare_turning(m.turn, m.frame, a, b);
+      m.turn.impulse = to_frame * contacts_.impulse[c.slot].turning;
+    }
     const Vec3 to_shape = rotate(bodies_.orientation[c.a], bodies_.shape_frame[c.a].p);
     const Vec3 apart = bodies_.position[c.a] - bodies_.position[c.b];
     for (std::size_t k = 0; k < m.count; ++k) {
@@ -94,7 +99,7 @@ class SubStep {
       p.free_speed = min(Real(0), depth / h_);
       p.start = relative_velocity(Moving(a), Moving(b), m, p)[0];
       fastest_ = max(fastest_, -p.start);
-      p.push_target = set_.correction / h_ * max(Real(0), depth - slop());  // thesis (3.20): a speed, not an impulse
+      p.push_target = set_.correction / h_ * max(Real(0), depth - slop());  // thesis (3.20): a speed
       if (set_.one_point_contact || from.match >= 0) {
         // The impulse of the last sub-step, point by feature; friction turned into the new tangent plane.
         const ContactImpulse& stored = contacts_.impulse[c.slot];
@@ -105,7 +110,7 @@ class SubStep {
     }
   }
 
-  // The thesis's contact: one point, the centre of the overlap. It carries no moment, so no tower stands on it.
+  // thesis §3.9's contact: one point, the centre of the overlap. It carries no moment, so no tower stands on it.
   static Manifold centre(const Manifold& m) {
     Manifold one;
     one.normal = m.normal;
@@ -121,9 +126,9 @@ class SubStep {
   Real slop() const { return set_.slop * in_.config.length_unit; }
   Real stick_speed() const { return Real(0.1) * g_ * h_; }
 
-  // --- collisions: thesis (3.15), (3.16), (3.17), (3.18) ---
+  // --- collisions: thesis §3.5, §3.6 ---
 
-  // Passes until no manifold approaches. Nothing is warm-started and nothing is kept: an impact is over at once.
+  // Passes until no manifold approaches, thesis (3.15). Nothing is warm-started and nothing is kept: an impact is over at once.
   void collide() {
     // Approach slower than a hundredth of gravity's share in a step is what turning arms and the last contact passes left
     // over: the coming contact passes mend it, no impact does.
@@ -202,7 +207,7 @@ class SubStep {
     return outcome;
   }
 
-  // Option friction_per_increment: thesis (3.16), (3.18) as written, each increment against its own cone. It serves to show
+  // Option friction_per_increment: thesis (3.16), (3.18) nearly as written, each increment against its own cone. It serves to show
   // what goes wrong: a train moves that static friction should hold.
   void strike_as_written(ManifoldRow& m) {
     for (PointRow& p : m.rows()) p.hit |= increment_as_written(m, p, m.material.restitution) > 0;
@@ -215,14 +220,14 @@ class SubStep {
     if (u.x >= p.free_speed) return 0;
     const Mat3 k = matrix(m.to_frame) * (matrix(m.mass_a) + matrix(m.mass_b)) + matrix(p.arm_a) * matrix(p.turn_a) +
                    matrix(p.arm_b) * matrix(p.turn_b);
-    Vec3 impulse = inverse(k) * (Vec3{-restitution * u.x, 0, 0} - u);  // thesis (3.16)
+    Vec3 impulse = inverse(k) * (Vec3{-restitution * u.x, 0, 0} - u);                         // thesis (3.16)
     if (impulse.x < 0 || slide(impulse) > m.material.friction_static * impulse.x) {
       const Real fast = slide(u);
       const Real share = fast > 0 ? m.material.friction_dynamic / fast : Real(0);
       const Vec3 direction{1, -share * u.y, -share * u.z};
       const Real denominator = dot(k.c0, direction);
-      if (denominator <= 0) return 0;  // jamming
-      impulse = direction * (-(1 + restitution) * u.x / denominator);  // thesis (3.18) with u_n, not Δu_n
+      if (denominator <= 0) return 0;                                                         // jamming
+      impulse = direction * (-(1 + restitution) * u.x / denominator);                         // thesis (3.17), (3.18)
     }
     apply(a, b, m, p, impulse);
     a.store(body(m.a)), b.store(body(m.b));
@@ -278,7 +283,7 @@ class SubStep {
     report_.broken.push_back(i);
   }
 
-  // --- contacts, thesis (3.19): the same formulas with restitution −1 … 0, that is 1 + e = ρ as a relaxation factor ---
+  // --- contacts: thesis (3.19), restitution −1 … 0, that is 1 + e = ρ as a relaxation factor ---
 
   void hold() {
     warm_start();
@@ -310,6 +315,7 @@ class SubStep {
         if (p.target > 0 || set_.friction_per_increment) p.impulse = {};
         apply(a, b, m, p, p.impulse);
       }
+      if (m.resists_turning()) apply_turning(a, b, m.turn, m.turn.impulse);
       a.store(body(m.a)), b.store(body(m.b));
       report_.points += m.count;
     }
@@ -329,16 +335,21 @@ class SubStep {
   // Returns the largest change of a relative velocity, unrelaxed, m/s.
   Real hold(ManifoldRow& m, Real relaxation) {
     Moving a(body(m.a)), b(body(m.b));
-    Real change = 0;
+    Real change = 0, load = 0;
     for (PointRow& p : m.rows()) {
       const Vec3 step = answer(p, relative_velocity(a, b, m, p), p.target, relaxation, m.friction, p.impulse);
       apply(a, b, m, p, step);
       change = max(change, size(p, step, relaxation));
+      load += p.impulse.x;
     }
+    if (m.resists_turning()) change = max(change, radius(m) * resist_turning(m, a, b, load));
     a.store(body(m.a)), b.store(body(m.b));
     report_.point_passes += m.count;
     return change;
   }
+
+  // An arm of the contact, to compare a turning with a speed, m.
+  static Real radius(const ManifoldRow& m) { return length(m.points[0].ra); }
 
   Real hold_as_written(ManifoldRow& m, Real relaxation) {
     Real change = 0;
@@ -351,7 +362,7 @@ class SubStep {
     return change;
   }
 
-  // Split impulse, thesis (3.20): the overlap is removed in a pseudo velocity that moves bodies and is forgotten.
+  // Split impulse, thesis §3.7: the overlap is removed in a pseudo velocity that moves bodies and is forgotten.
   Real push(ManifoldRow& m) {
     SolverBody &a = body(m.a), &b = body(m.b);
     const Vec3 n = m.frame.c0;
@@ -378,6 +389,7 @@ class SubStep {
       const ActiveContact& c = in_.contacts[m.contact];
       ContactImpulse& out = contacts_.impulse[c.slot];
       out = {};
+      if (m.resists_turning()) out.turning = m.frame * m.turn.impulse;
       std::array<Vec3, 4> impulse;
       for (std::size_t k = 0; k < m.count; ++k) {
         const Vec3& p = impulse[k] = m.points[k].impulse;
@@ -389,7 +401,7 @@ class SubStep {
     for (const JointSolve& j : joints_in_step_) j.store(joints_);
   }
 
-  // thesis (3.21): x += h (v + v_bias), and the exponential map for the turn.
+  // thesis (3.21), with the exponential map for the turn.
   void move() {
     std::vector<std::uint8_t> integrated(bodies_.size(), 0);
     for (const std::uint32_t i : in_.smooth) integrated[i] = 1;

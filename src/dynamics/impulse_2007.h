@@ -1,4 +1,4 @@
-// impulse_2007: the solver of the thesis (M. Tintor 2007; thesis §3.3 and fig. 1), with its mistakes corrected (docs/thesis.md). One thread,
+// impulse_2007: the solver of the thesis (M. Tintor 2007, thesis §3), with its mistakes corrected (docs/thesis.md). One thread,
 // written to be read beside the thesis. One call is one sub-step of length h, contacts detected:
 //   collisions (N₁ passes, old velocities, true restitution) → external forces → velocities →
 //   contacts (N₂ passes, restitution −1 … 0) → positions with real + pseudo velocity.

@@ -11,7 +11,7 @@ namespace sudar::inline SUDAR_PRECISION {
 // ω of a body that turns with L: the same arithmetic wherever it is asked, so that an untouched L gives an exact zero.
 Vec3 spin_of(const Bodies&, std::uint32_t i);
 
-// thesis (3.2), (3.6): v += h F/m, then resistance implicitly, v ← v / (1 + h (A + B|v|)/m): the explicit form overshoots where
+// thesis (3.2): v += h F/m, then resistance, thesis (3.6), implicitly, v ← v / (1 + h (A + B|v|)/m): the explicit form overshoots where
 // h A/m > 1, which large time factors reach. `body` holds the velocities of body i.
 void accelerate(const Bodies&, std::uint32_t i, const Wrench& load, const DragRates& drag, Real h, SolverBody& body);
 

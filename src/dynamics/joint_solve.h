@@ -1,5 +1,5 @@
-// One joint in one sub-step of an impulse solver: its rows as a block, p = K⁻¹(−u), thesis (3.14), (3.22), (3.23), and the
-// bounded rows of its limit and drive. Impulses act on a; b gets the opposite.
+// One joint in one sub-step of an impulse solver: its rows as a block, p = K⁻¹(−u), thesis (3.14), (3.23), and the bounded rows of
+// its limit and drive. Impulses act on a; b gets the opposite.
 #pragma once
 
 #include "dynamics/joints.h"

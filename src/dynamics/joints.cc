@@ -34,7 +34,8 @@ struct PartsOf<Rope> : Assembly<Span> {};
 template <>
 struct PartsOf<Ball> : Assembly<Nothing, Point> {};
 template <>
-struct PartsOf<Hinge> : Assembly<Twist, Point, Align> {};
+struct PartsOf<Hinge>  // thesis (3.24) as exact rows, not two ball joints far apart
+    : Assembly<Twist, Point, Align> {};
 template <>
 struct PartsOf<Slider> : Assembly<Travel, Slide, Lock> {};
 template <>

@@ -22,7 +22,7 @@ inline Row linear_row(const JointFrame& f, const Vec3& n, Real error) {
 }
 inline Row angular_row(const Vec3& n, Real error) { return {{}, n, n, error}; }
 
-struct Point {  // the anchors meet
+struct Point {  // the anchors meet; thesis (3.23)
   static constexpr int rows = 3;
   static void fill(const JointFrame& f, Row* out) {
     for (int k = 0; k < 3; ++k) {
@@ -43,7 +43,7 @@ struct Offset {  // anchor b stays in the plane of a
   static constexpr int rows = 1;
   static void fill(const JointFrame& f, Row* out) { out[0] = linear_row(f, f.basis_a.c0, dot(f.basis_a.c0, f.gap)); }
 };
-struct Distance {  // the anchors keep their distance; two anchors in one place have no line between them: any will do
+struct Distance {  // thesis (3.22) along the bar: the anchors keep their distance; two anchors in one place have no line between them: any will do
   static constexpr int rows = 1;
   static Vec3 direction(const JointFrame& f) { return length_squared(f.gap) > 0 ? normalize(f.gap) : f.basis_a.c0; }
   static void fill(const JointFrame& f, Row* out) {
