@@ -349,7 +349,9 @@ class SubStep {
   }
 
   // An arm of the contact, to compare a turning with a speed, m.
-  static Real radius(const ManifoldRow& m) { return length(m.points[0].ra); }
+  static Real radius(const ManifoldRow& m) {
+    return min(length(m.points[0].ra), length(m.points[0].rb));
+  }
 
   Real hold_as_written(ManifoldRow& m, Real relaxation) {
     Real change = 0;
