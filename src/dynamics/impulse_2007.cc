@@ -6,6 +6,7 @@
 #include "dynamics/contact_rows.h"
 #include "dynamics/integrate.h"
 #include "dynamics/joint_solve.h"
+#include "dynamics/levels.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -44,6 +45,7 @@ class SubStep {
     accelerate_all();
     timer = {};
     hold();
+    if (set_.shock_propagation) propagate();
     report_.passes_microseconds += timer.microseconds();
     store();
     move();
@@ -308,6 +310,41 @@ class SubStep {
     }
   }
 
+  // Option shock_propagation: one more round of contacts, level by level from the ground up, in which a body stands on
+  // what lies below as on rock. Saves passes where weight presses on weight; wrong where the lower body should give way
+  // (docs/shock_propagation.md).
+  void propagate() {
+    const std::vector<std::uint32_t> level = contact_levels(in_.contacts, bodies_);
+    std::vector<ManifoldRow> frozen = manifolds_;  // the warm start of the next sub-step is that of the whole pile
+    std::vector<std::vector<ManifoldRow*>> by_level;
+    for (ManifoldRow& m : frozen) {
+      const std::uint32_t upper = max(level[m.a], level[m.b]);
+      if (upper == no_level) continue;
+      if (upper >= by_level.size()) by_level.resize(upper + 1);
+      by_level[upper].push_back(&m);
+    }
+    constexpr int passes = 10;  // a level's own contacts; what lies below does not answer
+    for (const std::vector<ManifoldRow*>& rows : by_level) {
+      for (ManifoldRow* m : rows) freeze_lower(*m, level);
+      for (int pass = 0; pass < passes; ++pass) {
+        for (ManifoldRow* m : rows) {
+          hold(*m, 1);
+          push(*m);
+        }
+      }
+    }
+  }
+
+  void freeze_lower(ManifoldRow& m, const std::vector<std::uint32_t>& level) {
+    if (level[m.a] == level[m.b]) return;
+    SolverBody a = body(m.a), b = body(m.b);
+    SolverBody& lower = level[m.a] < level[m.b] ? a : b;
+    lower.inverse_mass = 0, lower.inverse_inertia = {};
+    m.mass_a = lanes(m.frame * a.inverse_mass), m.mass_b = lanes(m.frame * b.inverse_mass);
+    for (PointRow& p : m.rows()) prepare_masses(p, transpose(m.frame), a, b);
+    if (m.resists_turning()) prepare_turning(m.turn, m.frame, a, b);
+  }
+
   void warm_start() {
     for (ManifoldRow& m : manifolds_) {
       Moving a(body(m.a)), b(body(m.b));
@@ -374,9 +411,9 @@ class SubStep {
       const Real w = dot(n, a.push_v - b.push_v) + dot(cross(p.ra, n), a.push_w) - dot(cross(p.rb, n), b.push_w);
       const Real total = max(Real(0), p.push + (p.push_target - w) * p.normal_mass);
       const Real step = total - p.push;
-      a.push_v += n * (a.inverse_mass * step);
+      a.push_v += vector(m.mass_a.c0) * step;
       a.push_w += vector(p.turn_a.c0) * step;
-      b.push_v -= n * (b.inverse_mass * step);
+      b.push_v -= vector(m.mass_b.c0) * step;
       b.push_w -= vector(p.turn_b.c0) * step;
       change = max(change, abs(step) / p.normal_mass);
       p.push = total;
