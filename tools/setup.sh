@@ -56,7 +56,7 @@ build() {
   mkdir -p build
   if ! cmake --preset "$preset" >"$log" 2>&1 ||
      ! cmake --build "build/$preset" ${1:+--target "$@"} 2>&1 | tee -a "$log" | progress; then
-    grep -vE '^\[[0-9]+/[0-9]+\] (Building|Linking)' "$log" | tail -n 40 >&2
+    grep -vE '^(\[[0-9]+/[0-9]+\] (Building|Linking)|-- )' "$log" | tail -n 40 >&2
     echo "The build failed; all of its output is in $log." >&2
     exit 1
   fi
