@@ -7,7 +7,7 @@
 namespace sudar::inline SUDAR_PRECISION {
 
 const Catalogue& scenarios() {
-  static const Plugins plugins("");
+  static const app::Plugins plugins("");
   if (!plugins.refused().empty()) throw Error("scenarios", plugins.refused().front());
   return plugins.catalogue();
 }
