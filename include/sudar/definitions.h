@@ -288,8 +288,11 @@ using SensorId = Handle<struct SensorTag>;
 
 enum class Solver : std::uint8_t { impulse_2007 };
 inline const char* const* names(Solver) { static constexpr const char* n[] = {"impulse_2007", nullptr}; return n; }
-enum class Broad : std::uint8_t { brute };
-inline const char* const* names(Broad) { static constexpr const char* n[] = {"brute", nullptr}; return n; }
+enum class Broad : std::uint8_t {  // docs/broad_phase.md: all find the same pairs
+  brute,  // every changed body against every other one
+  tree,   // hierarchy of bounding boxes
+};
+inline const char* const* names(Broad) { static constexpr const char* n[] = {"brute", "tree", nullptr}; return n; }
 enum class Integrator : std::uint8_t {
   symplectic_euler,
   rk4,  // for bodies in islands without contacts and joints; the others use symplectic_euler
@@ -322,7 +325,7 @@ void describe(V& v, T& d) {
 
 struct Config {
   Solver solver = Solver::impulse_2007;
-  Broad broad = Broad::brute;
+  Broad broad = Broad::tree;
   Integrator integrator = Integrator::symplectic_euler;
   double dt = 1.0 / 60;        // s, of World::step()
   std::int32_t substeps = 4;

@@ -1,5 +1,5 @@
-// The reference broad phase, thesis (3.25): every changed proxy against every other one, O(n · changed). No state, so nothing to keep
-// up to date and nothing to get wrong; the others must give its pairs.
+// The reference broad phase, thesis (3.25): every changed proxy against every other one, O(n · changed). No state, so
+// nothing to keep up to date and nothing to get wrong; the others must give its pairs.
 #pragma once
 
 #include "collision/broad/broad.h"

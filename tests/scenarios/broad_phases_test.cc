@@ -1,0 +1,39 @@
+// Every scenario has the same bits with every broad phase.
+#include "scenarios/catalogue.h"
+
+#include "broad_kinds.h"
+
+#include <gtest/gtest.h>
+
+using namespace sudar;
+
+namespace {
+
+std::uint64_t run(const ScenarioEntry& entry, Broad kind) {
+  Session session(entry, {.config = {{"broad", name_of(kind)}}});
+  for (int i = 0; i < 400; ++i) session.step();
+  return hash_without_broad(session.world());
+}
+
+class SameBits : public testing::Test {
+ public:
+  explicit SameBits(const ScenarioEntry& entry) : entry_(entry) {}
+  void TestBody() override {
+    const std::uint64_t expected = run(entry_, Broad::brute);
+    for (const Broad kind : broad_kinds()) EXPECT_EQ(run(entry_, kind), expected) << name_of(kind);
+  }
+
+ private:
+  const ScenarioEntry& entry_;
+};
+
+}
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  for (const ScenarioEntry* entry : scenarios().all()) {
+    testing::RegisterTest(entry->name, "same_bits", nullptr, nullptr, __FILE__, __LINE__,
+                          [entry]() -> testing::Test* { return new SameBits(*entry); });
+  }
+  return RUN_ALL_TESTS();
+}
