@@ -231,7 +231,7 @@ struct Drag {
   Real angular_quadratic = 0;   // 1/rad
   Real angular_per_radius = 0;  // 1/(m s): adds this times the body's bounding radius to `angular`
 };
-struct NBody {  // every two bodies attract each other: F = G m₁ m₂ / (r² + softening²)
+struct NBody {  // every two bodies attract each other: F = G m₁ m₂ r / (r² + softening²)^(3/2) (H. Plummer 1911)
   Real gravitational_constant = Real(6.6743e-11);  // m³/(kg s²)
   Real softening = 0;                              // m
 };

@@ -126,8 +126,8 @@ class JointView {
   const JointDef& definition() const;
   Pos anchor_a() const;      // the two anchors as they are now
   Pos anchor_b() const;
-  Real gap() const;          // how far the joint's parts are from holding, m
-  Real coordinate() const;   // angle of a hinge [rad, unwound], way of a slider [m]; else 0
+  Real gap() const;          // how far the joint is from holding, m; of a rope or slider also how far beyond its limit
+  Real coordinate() const;   // angle of a hinge [rad, unwound], way of a slider, length of a rope [m]; else 0
   Wrench load() const;       // that the joint exerted on its body b in the last sub-step, about anchor b
 
  private:

@@ -444,13 +444,13 @@ class SubStep {
   void move() {
     std::vector<std::uint8_t> integrated(bodies_.size(), 0);
     for (const std::uint32_t i : in_.smooth) integrated[i] = 1;
-    for (const std::uint32_t i : runge_kutta_4(bodies_, in_.forces, in_.smooth, h_)) give_up(i);
+    std::vector<std::uint32_t> smooth(in_.smooth.begin(), in_.smooth.end());
+    std::erase_if(smooth, [&](std::uint32_t i) { return bodies_.quarantined[i] != 0; });
+    for (const std::uint32_t i : runge_kutta_4(bodies_, in_.forces, smooth, h_)) give_up(i);
     for (std::size_t k = 0; k < in_.awake.size(); ++k) {
       const std::uint32_t i = in_.awake[k];
       if (integrated[i] != 0 || bodies_.quarantined[i] != 0) continue;
-      const SolverBody& s = body(i);
-      if (!is_finite(s.v) || !is_finite(s.w) || !is_finite(s.push_v) || !is_finite(s.push_w)) give_up(i);
-      else drift(bodies_, i, s, memory_.spin_before[k], h_);
+      if (!drift(bodies_, i, body(i), memory_.spin_before[k], h_)) give_up(i);
     }
     for (const std::uint32_t i : in_.kinematic) {
       bodies_.position[i] = bodies_.position[i] + bodies_.velocity[i] * h_;

@@ -8,6 +8,26 @@ Vec3 spin_at(const Bodies& b, std::uint32_t i, const Quat& q, const Vec3& angula
   return rotate(q, scale(rotate_back(q, angular_momentum), b.inverse_inertia[i]));
 }
 
+// The motion of one body over a step, taken only if all of it is finite.
+struct State {
+  Pos position;
+  Quat orientation;
+  Vec3 velocity, angular_momentum;
+};
+bool take(Bodies& b, std::uint32_t i, const State& m) {
+  const Vec3 spin = spin_at(b, i, m.orientation, m.angular_momentum);
+  if (!is_finite(m.position) || !is_finite(m.orientation) || !is_finite(m.velocity) ||
+      !is_finite(m.angular_momentum) || !is_finite(spin)) {
+    return false;
+  }
+  b.position[i] = m.position;
+  b.orientation[i] = m.orientation;
+  b.velocity[i] = m.velocity;
+  b.angular_momentum[i] = m.angular_momentum;
+  b.spin[i] = spin;
+  return true;
+}
+
 }
 
 Vec3 spin_of(const Bodies& b, std::uint32_t i) { return spin_at(b, i, b.orientation[i], b.angular_momentum[i]); }
@@ -21,14 +41,11 @@ void accelerate(const Bodies& b, std::uint32_t i, const Wrench& load, const Drag
   if (angular_rate > 0) body.w *= 1 / (1 + h * angular_rate);
 }
 
-void drift(Bodies& b, std::uint32_t i, const SolverBody& body, const Vec3& spin_before, Real h) {
-  b.velocity[i] = body.v;
-  b.position[i] = b.position[i] + (body.v + body.push_v) * h;
-  b.angular_momentum[i] += b.inertia_world(i) * (body.w - spin_before);
-  const Rotation r = rotate_freely(b.orientation[i], b.angular_momentum[i], b.inertia[i], b.inverse_inertia[i], h);
-  b.orientation[i] = r.orientation;
-  if (body.push_w != Vec3{}) b.orientation[i] = normalize(rotation(body.push_w * h) * r.orientation);
-  b.spin[i] = spin_of(b, i);
+bool drift(Bodies& b, std::uint32_t i, const SolverBody& body, const Vec3& spin_before, Real h) {
+  const Vec3 angular_momentum = b.angular_momentum[i] + b.inertia_world(i) * (body.w - spin_before);
+  Quat q = rotate_freely(b.orientation[i], angular_momentum, b.inertia[i], b.inverse_inertia[i], h).orientation;
+  if (body.push_w != Vec3{}) q = normalize(rotation(body.push_w * h) * q);
+  return take(b, i, {b.position[i] + (body.v + body.push_v) * h, q, body.v, angular_momentum});
 }
 
 std::vector<std::uint32_t> runge_kutta_4(Bodies& b, const Forces& forces, std::span<const std::uint32_t> which, Real h) {
@@ -83,15 +100,10 @@ std::vector<std::uint32_t> runge_kutta_4(Bodies& b, const Forces& forces, std::s
   std::vector<std::uint32_t> broken;
   for (std::size_t k = 0; k < n; ++k) {
     const std::uint32_t i = which[k];
-    if (!is_finite(sum[k].v) || !is_finite(sum[k].a) || !is_finite(sum[k].q) || !is_finite(sum[k].torque)) {
-      broken.push_back(i);
-      continue;
-    }
-    b.position[i] = b.position[i] + sum[k].v * h;
-    b.velocity[i] += sum[k].a * h;
-    b.orientation[i] = normalize(moved(b.orientation[i], sum[k].q, h));
-    b.angular_momentum[i] += sum[k].torque * h;
-    b.spin[i] = spin_of(b, i);
+    const Rate& r = sum[k];
+    const State end{b.position[i] + r.v * h, normalize(moved(b.orientation[i], r.q, h)), b.velocity[i] + r.a * h,
+                    b.angular_momentum[i] + r.torque * h};
+    if (!take(b, i, end)) broken.push_back(i);
   }
   return broken;
 }

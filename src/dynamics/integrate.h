@@ -16,7 +16,8 @@ Vec3 spin_of(const Bodies&, std::uint32_t i);
 void accelerate(const Bodies&, std::uint32_t i, const Wrench& load, const DragRates& drag, Real h, SolverBody& body);
 
 // thesis (3.3): drift over h with the real velocities in `body`, whose ω was spin_of() before impulses; then turns by the pseudo ones.
-void drift(Bodies&, std::uint32_t i, const SolverBody& body, const Vec3& spin_before, Real h);
+// Returns false, and leaves the body as it was, where its state would not be finite.
+bool drift(Bodies&, std::uint32_t i, const SolverBody& body, const Vec3& spin_before, Real h);
 
 // One step of the classical fourth-order Runge–Kutta method for all of `which` together, forces re-evaluated at its four
 // states. For smooth forces only; h (drag rate) must stay below about 1. A body whose state would not be finite stays as

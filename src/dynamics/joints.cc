@@ -126,8 +126,13 @@ JointRows rows_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
   return rows;
 }
 
-Real gap_of(const JointRows& rows) {
+Real gap_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
+  const JointRows rows = rows_of(j, bodies, i);
   Real sum = 0;
+  if (rows.free && !rows.angle) {
+    const Limit& limit = j.limit[i];
+    sum = square(max(Real(0), max(limit.low - rows.value, rows.value - limit.high)));
+  }
   for (int k = 0; k < rows.count; ++k) {
     const Row& row = rows.rows[std::size_t(k)];
     if (row.linear != Vec3{}) sum += square(row.error);

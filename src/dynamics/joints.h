@@ -46,8 +46,8 @@ struct JointRows {
 };
 JointRows rows_of(const Joints&, const Bodies&, std::uint32_t i);
 
-// How far the rows' positions are off: linear rows alone, m.
-Real gap_of(const JointRows&);
+// How far the joint is from holding: its linear rows, and a length beyond its limit, m.
+Real gap_of(const Joints&, const Bodies&, std::uint32_t i);
 
 // The servo or motor of a joint, null where its kind has none.
 const Drive* drive_of(const JointDef&);

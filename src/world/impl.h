@@ -49,6 +49,7 @@ struct World::Impl {
   std::vector<std::uint32_t> changed;       // proxies that are new, moved or gone since the last search for pairs
   std::vector<PlaneProxy> planes;           // the half spaces, ascending
   std::vector<ProxyPair> never_touch;       // bodies joined by a joint that forbids it, sorted
+  bool never_touch_grew = false;            // since the last search for pairs
   std::vector<std::uint32_t> awake, smooth, kinematic, active_joints;
   std::vector<std::uint32_t> active_pairs;  // rows of `pairs` collided in this sub-step, ascending
   std::vector<Pose> shape_poses;            // by body slot
@@ -110,6 +111,7 @@ struct World::Impl {
   void drop_pairs(std::uint32_t body);               // forgets what it touches, and wakes that
   void release(const EndedPair&);                    // of the pair table: its contact row goes, its bodies wake
   void wake_island(std::uint32_t body);
+  void wake_around(std::uint32_t body);              // what sleeps where a body that does not move was put
   void wake_all();
   void list_never_touch();
   void rebuild();                                    // everything that is a function of the state

@@ -1,4 +1,5 @@
 // The operations: each validates, then changes; what throws has changed nothing.
+#include "geometry/principal.h"
 #include "world/impl.h"
 #include "world/validate.h"
 
@@ -11,6 +12,27 @@ template <class Id>
   throw Error(what, h.null() ? "is null" : "is dead: it was removed, or belongs to another world");
 }
 
+// A spin whose angular momentum about any axis is finite in this precision.
+void validate_spin(const Vec3& spin, const Vec3& inertia) {
+  if (!std::isfinite(length(spin)) || !std::isfinite(length(spin) * max_component(inertia))) {
+    throw Error("spin", "makes an angular momentum that the precision cannot hold");
+  }
+}
+
+void validate_mass(const BodyDef& def) {
+  const MassProperties m = def.shape.mass_properties();
+  const double mass = def.mass > 0 ? double(def.mass) : double(def.density) * m.volume;
+  const auto fits = [](double x) { return std::isfinite(Real(x)) && Real(x) > 0 && std::isfinite(1 / Real(x)); };
+  if (!fits(mass)) {
+    throw Error(def.mass > 0 ? "mass" : "density", "makes a mass of " + std::to_string(mass) + " kg, which the precision cannot hold");
+  }
+  const Vec3d moments = principal_frame(m).moments * (mass / m.volume);
+  if (def.motion == Motion::dynamic && !(fits(moments.x) && fits(moments.y) && fits(moments.z))) {
+    throw Error("shape", "makes an inertia that the precision cannot hold");
+  }
+  validate_spin(def.spin, def.motion == Motion::dynamic ? convert<Real>(moments) : Vec3{});
+}
+
 void validate_body(const BodyDef& def) {
   validate("", def);
   if (def.shape.kind() == ShapeKind::half_space && def.motion != Motion::fixed) {
@@ -19,17 +41,7 @@ void validate_body(const BodyDef& def) {
   if (def.motion == Motion::fixed && (def.velocity != Vec3{} || def.spin != Vec3{})) {
     throw Error(def.velocity != Vec3{} ? "velocity" : "spin", "must be zero: the body is fixed");
   }
-  const MassProperties m = def.shape.kind() == ShapeKind::half_space ? MassProperties{1, {}, {}} : def.shape.mass_properties();
-  const double mass = def.mass > 0 ? double(def.mass) : double(def.density) * m.volume;
-  if (!(Real(mass) > 0) || !std::isfinite(Real(1 / mass)) || !std::isfinite(Real(mass))) {
-    throw Error(def.mass > 0 ? "mass" : "density", "makes a mass of " + std::to_string(mass) + " kg, which the precision cannot hold");
-  }
-  for (int k = 0; k < 3; ++k) {
-    const Real moment = Real(m.inertia[k][k] * mass / m.volume);
-    if (def.motion == Motion::dynamic && (!(moment > 0) || !std::isfinite(moment) || !std::isfinite(1 / moment))) {
-      throw Error("shape", "makes an inertia that the precision cannot hold");
-    }
-  }
+  if (def.shape.kind() != ShapeKind::half_space) validate_mass(def);
 }
 
 const char* kind_name(const JointDef& def) {
@@ -60,6 +72,7 @@ Body World::Impl::perform(const AddBody& op) {
     planes.insert(at, {i, rotate(pose.q, Vec3{0, 1, 0}), pose.p});
   }
   touch_proxy(i, true);
+  wake_around(i);
   return bodies.slots.handle<BodyTag>(i);
 }
 
@@ -105,19 +118,26 @@ void World::Impl::perform(const Place& op) {
   validate("", op);
   const std::uint32_t i = op.body.index;
   wake_island(i);
-  drop_pairs(i);
+  for (const PairRow& row : pairs) {
+    if ((row.key.a != i && row.key.b != i) || row.row == no_row) continue;
+    contacts.impulse[row.row] = {};  // what it carried, it carried elsewhere
+    wake_island(row.key.a);
+    wake_island(row.key.b);
+  }
   bodies.set_shape_pose(i, {op.at, normalize(op.turn)});
   bodies.angular_momentum[i] = bodies.inertia_world(i) * bodies.spin[i];
   for (PlaneProxy& p : planes) {
     if (p.proxy == i) p.normal = rotate(normalize(op.turn), Vec3{0, 1, 0}), p.point = op.at;
   }
   touch_proxy(i, true);
+  wake_around(i);
 }
 
 void World::Impl::perform(const SetVelocity& op) {
   require(op.body, "body");
   validate("", op);
   if (bodies.motion[op.body.index] == Motion::fixed) throw Error("body", "is fixed: it has no velocity");
+  validate_spin(op.spin, bodies.inertia[op.body.index]);
   bodies.set_velocity(op.body.index, op.velocity, op.spin);
   wake_island(op.body.index);
 }
@@ -129,6 +149,25 @@ void World::Impl::perform(const Wake& op) {
 
 // --- joints ---
 
+namespace {
+
+// An anchor must be a finite arm in this precision, seen from the body that it is on.
+void validate_anchors(const std::string& kind, const JointDef& def, const Bodies& bodies) {
+  const auto check = [&](const char* name, Body body, const Pos& at) {
+    if (!body.null() && !std::isfinite(length(at - bodies.position[body.index]))) {
+      throw Error(kind + "." + name, "is farther from the body than the precision can tell");
+    }
+  };
+  std::visit(
+      [&](const auto& d) {
+        if constexpr (requires { d.at; }) check("at", d.a, d.at), check("at", d.b, d.at);
+        else check("at_a", d.a, d.at_a), check("at_b", d.b, d.at_b);
+      },
+      def);
+}
+
+}
+
 Joint World::Impl::perform(const AddJoint& op) {
   const char* kind = kind_name(op.def);
   std::visit([&](const auto& d) { validate(kind, d); }, op.def);
@@ -137,6 +176,7 @@ Joint World::Impl::perform(const AddJoint& op) {
   if (!a.null()) require(a, field("a").c_str());
   if (!b.null()) require(b, field("b").c_str());
   if (a == b) throw Error(field("b"), "is the same body as a");
+  validate_anchors(kind, op.def, bodies);
   const bool moves = (!a.null() && bodies.dynamic(a.index)) || (!b.null() && bodies.dynamic(b.index));
   if (!moves) throw Error(field("a"), "and b are both unable to move: nothing to join");
   if (const Drive* drive = drive_of(op.def); drive != nullptr) {
@@ -147,20 +187,19 @@ Joint World::Impl::perform(const AddJoint& op) {
         },
         op.def);
     if (limit.low > limit.high) throw Error(field("limit.low"), "is above limit.high");
+    if (limit.low > 0 && std::isinf(limit.low)) throw Error(field("limit.low"), "is infinite: nothing meets it");
+    if (limit.high < 0 && std::isinf(limit.high)) throw Error(field("limit.high"), "is minus infinite: nothing meets it");
   }
   if (const auto* bar = std::get_if<Bar>(&op.def); bar != nullptr && bar->at_a == bar->at_b) {
     throw Error("bar.at_b", "is the same point as at_a: use a ball joint");
   }
   const std::uint32_t j = joints.add(op.def, bodies);
   for (const Body body : {a, b}) {
-    if (!body.null()) wake_island(body.index);
+    if (body.null()) continue;
+    wake_island(body.index);
+    changed.push_back(body.index);  // the two may have to part
   }
   list_never_touch();
-  std::vector<EndedPair> lost;
-  erase_pairs(pairs, lost, [&](const ProxyPair& p) {
-    return std::binary_search(never_touch.begin(), never_touch.end(), p);
-  });
-  for (const EndedPair& pair : lost) release(pair);
   return joints.slots.handle<JointTag>(j);
 }
 
@@ -275,6 +314,17 @@ void World::Impl::wake_island(std::uint32_t i) {
   }
 }
 
+// Of a body that was put where it is: nobody moves, so nobody would look whom it met there. (A dynamic one is awake, and
+// meets whom it meets.)
+void World::Impl::wake_around(std::uint32_t i) {
+  if (bodies.dynamic(i)) return;
+  const auto plane = std::find_if(planes.begin(), planes.end(), [&](const PlaneProxy& p) { return p.proxy == i; });
+  for (std::uint32_t k = 0; k < bodies.size(); ++k) {
+    if (!bodies.slots.used(k) || bodies.asleep[k] == 0) continue;
+    if (plane != planes.end() ? may_pair(*plane, proxies[i], proxies[k]) : may_pair(proxies[i], proxies[k])) wake_island(k);
+  }
+}
+
 void World::Impl::drop_pairs(std::uint32_t i) {
   std::vector<EndedPair> lost;
   erase_pairs(pairs, lost, [&](const ProxyPair& p) { return p.a == i || p.b == i; });
@@ -301,10 +351,12 @@ void World::Impl::list_never_touch() {
     never_touch.push_back({min(joints.a[j], joints.b[j]), max(joints.a[j], joints.b[j])});
   }
   std::sort(never_touch.begin(), never_touch.end());
+  never_touch_grew = true;
 }
 
 void World::Impl::rebuild() {
   broad = make_broad_phase(config.broad);
+  h = clock_step / config.substeps;
   planes.clear();
   changed.clear();
   list_never_touch();

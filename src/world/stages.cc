@@ -17,13 +17,31 @@ bool can_change(const Bodies& b, const ProxyPair& p) {
 
 bool touching(const PairRow& row) { return (row.manifold.bits & Manifold::touching) != 0; }
 
-// Wakes the sleeping side of a touching pair whose other side moves.
-bool wake_side(World::Impl& w, const ProxyPair& p) {
+bool carries(const Bodies& b, std::uint32_t i) {
+  return i != no_body && b.motion[i] == Motion::kinematic && b.moves(i);
+}
+
+// Wakes the sleeping side of a touching pair whose other side moves. What a kinematic body carries does not even grow
+// quiet, however slow the journey.
+bool wake_sides(World::Impl& w, const ProxyPair& p) {
   const Bodies& b = w.bodies;
-  const std::uint32_t sleeper = b.asleep[p.a] != 0 ? p.a : p.b, other = sleeper == p.a ? p.b : p.a;
-  if (b.asleep[sleeper] == 0 || !b.moves(other)) return false;
-  w.wake_island(sleeper);
-  return true;
+  bool woke = false;
+  for (const auto& [side, other] : {p, ProxyPair{p.b, p.a}}) {
+    if (b.asleep[side] != 0 ? !b.moves(other) : !carries(b, other)) continue;
+    woke |= b.asleep[side] != 0;
+    w.wake_island(side);
+  }
+  return woke;
+}
+
+// The same along joints.
+void wake_carried(World::Impl& w) {
+  for (std::uint32_t j = 0; j < w.joints.size(); ++j) {
+    if (!w.joints.slots.used(j)) continue;
+    const std::uint32_t a = w.joints.a[j], b = w.joints.b[j];
+    if (carries(w.bodies, a) && b != no_body) w.wake_island(b);
+    if (carries(w.bodies, b) && a != no_body) w.wake_island(a);
+  }
 }
 
 }
@@ -37,10 +55,16 @@ void find_pairs(World::Impl& w) {
   find_plane_pairs(w.planes, w.proxies, w.changed, with_planes);
   found.insert(found.end(), with_planes.begin(), with_planes.end());
   std::sort(found.begin(), found.end());
-  std::erase_if(found, [&](const ProxyPair& p) { return std::binary_search(w.never_touch.begin(), w.never_touch.end(), p); });
+  const auto forbidden = [&](const ProxyPair& p) {
+    return std::binary_search(w.never_touch.begin(), w.never_touch.end(), p);
+  };
+  std::erase_if(found, forbidden);
   merge_pairs(w.pairs, found);
   std::vector<EndedPair> ended;
   end_pairs(w.pairs, w.proxies, w.planes, ended);
+  if (w.never_touch_grew) erase_pairs(w.pairs, ended, forbidden);
+  w.never_touch_grew = false;
+  std::sort(ended.begin(), ended.end(), [](const EndedPair& p, const EndedPair& q) { return p.key < q.key; });
   for (const EndedPair& pair : ended) {
     w.events.ended.push_back({handle(w, pair.key.a), handle(w, pair.key.b)});
     w.release(pair);
@@ -50,6 +74,7 @@ void find_pairs(World::Impl& w) {
 
 // Collides what can change; what that wakes can change too.
 void collide(World::Impl& w) {
+  wake_carried(w);
   const Bodies& b = w.bodies;
   w.shape_poses.resize(b.size());
   w.geometries.resize(b.size());
@@ -68,7 +93,7 @@ void collide(World::Impl& w) {
       if (done[r] == 0 && can_change(b, w.pairs[r].key)) round.push_back(r), done[r] = 1;
     }
     collide_pairs(w.pairs, round, w.geometries, w.shape_poses, margin);
-    for (const std::uint32_t r : round) woke |= touching(w.pairs[r]) && wake_side(w, w.pairs[r].key);
+    for (const std::uint32_t r : round) woke |= touching(w.pairs[r]) && wake_sides(w, w.pairs[r].key);
     w.active_pairs.insert(w.active_pairs.end(), round.begin(), round.end());
   }
   std::sort(w.active_pairs.begin(), w.active_pairs.end());
@@ -155,7 +180,8 @@ void refit(World::Impl& w) {
   for (const std::uint32_t i : w.kinematic) w.touch_proxy(i, false);
 }
 
-// An island sleeps when each of its bodies was quiet for 20 steps: v² and (ωR)² ≤ 10⁻⁵ (m/s)², the prototype's rule.
+// An island sleeps when each of its bodies was quiet for 20 steps: v² and (ωR)² ≤ 10⁻⁵ (m/s)², the prototype's rule. A
+// body that touches nothing and hangs on nothing has nothing to rest on: in a weak field it only begins to fall.
 void sleep(World::Impl& w) {
   constexpr std::uint32_t enough = 20;
   Bodies& b = w.bodies;
@@ -167,7 +193,7 @@ void sleep(World::Impl& w) {
   if (!w.config.sleep) return;
   std::vector<std::uint8_t> restless(b.size(), 0);
   for (const std::uint32_t i : w.awake) {
-    if (b.quiet_steps[i] < enough || b.may_sleep[i] == 0) restless[w.islands.root(i)] = 1;
+    if (b.quiet_steps[i] < enough || b.may_sleep[i] == 0 || !w.islands.linked(i)) restless[w.islands.root(i)] = 1;
   }
   // What slides is on its way, however slowly: 0.1 mm/s is movement where friction has given in.
   for (const ActiveContact& c : w.active_contacts) {
@@ -211,15 +237,17 @@ void sense(World::Impl& w, double dt) {
 }
 
 void World::Impl::step(double dt) {
-  if (!(dt > 0) || !std::isfinite(dt)) throw Error("dt", "is " + std::to_string(dt) + ", must be above 0");
+  const double simulated = dt * double(config.time_factor), sub_step = simulated / config.substeps;
+  if (!(sub_step > 0) || !std::isnormal(Real(sub_step))) {
+    throw Error("dt", "makes a sub-step of " + std::to_string(sub_step) + " s, which the precision cannot hold");
+  }
   events = {};
   report = {};
   profile.stages.clear();
   stage_hashes.clear();
   for (const Stage& stage : stages) profile.stages.push_back({stage.name, 0});
-  const double simulated = dt * double(config.time_factor);
   last_dt = dt;
-  h = simulated / config.substeps;  // thesis (3.4)
+  h = sub_step;  // thesis (3.4)
   for (int n = 0; n < config.substeps; ++n) {
     for (std::size_t s = 0; s < std::size(stages); ++s) {
       const Timer timer;

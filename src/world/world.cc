@@ -67,6 +67,7 @@ std::vector<ForceId> World::forces() const { return all<ForceTag>(impl_->forces.
 std::vector<SensorId> World::sensors() const { return all<SensorTag>(impl_->sensor_slots); }
 
 Body World::find(std::string_view name) const {
+  if (name.empty()) return {};
   for (const Body b : bodies()) {
     if (impl_->body_names[b.index] == name) return b;
   }
@@ -122,7 +123,7 @@ bool BodyView::quarantined() const { return world_->impl().bodies.quarantined[in
 const JointDef& JointView::definition() const { return world_->impl().joints.definition[index_]; }
 Pos JointView::anchor_a() const { return sudar::anchor_a(world_->impl().joints, world_->impl().bodies, index_); }
 Pos JointView::anchor_b() const { return sudar::anchor_b(world_->impl().joints, world_->impl().bodies, index_); }
-Real JointView::gap() const { return gap_of(rows_of(world_->impl().joints, world_->impl().bodies, index_)); }
+Real JointView::gap() const { return gap_of(world_->impl().joints, world_->impl().bodies, index_); }
 Real JointView::coordinate() const {
   const Joints& j = world_->impl().joints;
   const JointRows rows = rows_of(j, world_->impl().bodies, index_);
@@ -182,6 +183,8 @@ bool World::touching(Body a, Body b) const {
 
 std::optional<RayHit> World::ray_cast(const Pos& from, const Vec3& direction, Real reach) const {
   if (!is_finite(direction) || abs(length(direction) - 1) > Real(1e-3)) throw Error("direction", "must have length 1");
+  if (!is_finite(from)) throw Error("from", "is not finite");
+  if (!(reach >= 0)) throw Error("length", "must not be negative");
   const Impl& w = *impl_;
   std::optional<RayHit> nearest;
   for (std::uint32_t i = 0; i < w.bodies.size(); ++i) {

@@ -1,0 +1,173 @@
+// Limits stop a joint's free coordinate; drives move it, with no more than their force.
+#include "unit/worlds.h"
+
+namespace sudar_test {
+namespace {
+
+constexpr Vec3 x_axis{1, 0, 0}, z_axis{0, 0, 1};
+
+struct Rail {  // a cube of 1 kg on a rail along x
+  World w{steady(0.01)};
+  Body b = w.add(cube({0, 0, 0}));
+  Joint j;
+  explicit Rail(const Limit& limit = {}, const Drive& drive = {})
+      : j(w.join(Slider{.b = b, .at = {0, 0, 0}, .axis = x_axis, .limit = limit, .drive = drive})) {}
+  double x() const { return w[j].coordinate(); }
+  double speed() const { return w[b].velocity().x; }
+};
+
+TEST(Limit, StopsASlider) {
+  for (const double way : {-1.0, 1.0}) {
+    Rail rail({.low = Real(-1), .high = 2});
+    rail.w.set_velocity(rail.b, {Real(3 * way), 0, 0}, {});
+    double low = 0, high = 0;
+    for (int i = 0; i < 300; ++i) {
+      rail.w.step();
+      low = std::min(low, rail.x()), high = std::max(high, rail.x());
+    }
+    EXPECT_GT(low, -1.001);
+    EXPECT_LT(high, 2.001);
+    EXPECT_NEAR(rail.x(), way > 0 ? 2 : -1, 1e-3);
+    EXPECT_NEAR(rail.speed(), 0, 1e-5);
+  }
+}
+
+TEST(Limit, CarriesAWeight) {
+  World w(steady(1.0 / 60, 4));
+  w.add(Gravity{});
+  const Body b = w.add(cube({0, 0, 0}));
+  const Joint j = w.join(Slider{.b = b, .at = {0, 0, 0}, .axis = {0, 1, 0}, .limit = {.low = Real(-0.5)}});
+  step(w, 120);
+  EXPECT_NEAR(w[j].coordinate(), -0.5, 1e-3);
+  expect_near(w[j].load().force, Vec3d{0, 9.81, 0}, 0.01);
+}
+
+TEST(Limit, StopsAHinge) {
+  World w(steady(1.0 / 60, 4));
+  w.add(Gravity{});
+  const Body b = w.add({.shape = box({1, Real(0.1), Real(0.1)}), .at = {0.5, 0, 0}, .mass = 1});
+  const Joint j = w.join(Hinge{.b = b, .at = {0, 0, 0}, .axis = z_axis, .limit = {.low = Real(-0.6), .high = 1}});
+  step(w, 300);
+  EXPECT_NEAR(w[j].coordinate(), -0.6, 2e-3);
+  EXPECT_NEAR(w[j].load().torque.z, 9.81 * 0.5 * std::cos(0.6), 0.02);
+}
+
+// Out of its range at creation: comes back in, without a jump of the real velocity.
+TEST(Limit, PullsBackWithoutSpeed) {
+  Rail rail({.low = Real(0.5), .high = 2});
+  rail.w.step();
+  EXPECT_NEAR(rail.speed(), 0, 1e-5);
+  step(rail.w, 100);
+  EXPECT_NEAR(rail.x(), 0.5, 1e-3);
+  EXPECT_NEAR(rail.speed(), 0, 1e-5);
+}
+
+// With force F the mass m gains F/m every second, and no more than the target.
+TEST(Drive, ReachesItsSpeedWithItsForce) {
+  Rail rail({}, {.mode = DriveMode::speed, .target = 2, .force = 4});
+  step(rail.w, 25);
+  EXPECT_NEAR(rail.speed(), 1, 1e-4);
+  step(rail.w, 25);
+  EXPECT_NEAR(rail.speed(), 2, 1e-4);
+  step(rail.w, 100);
+  EXPECT_NEAR(rail.speed(), 2, 1e-4);
+}
+
+TEST(Drive, ReachesItsSpeedAtOnceWithoutAForceLimit) {
+  Rail rail({}, {.mode = DriveMode::speed, .target = -3, .force = std::numeric_limits<Real>::infinity()});
+  rail.w.step();
+  EXPECT_NEAR(rail.speed(), -3, 1e-5);
+}
+
+TEST(Drive, TurnsAHinge) {
+  World w(steady(0.01));
+  const Body b = w.add({.shape = sphere(1), .mass = 10});  // I = 4 kg m²
+  const Joint j = w.join(
+      Hinge{.b = b, .at = {0, 0, 0}, .axis = z_axis, .drive = {.mode = DriveMode::speed, .target = 5, .force = 8}});
+  step(w, 100);
+  EXPECT_NEAR(w[b].spin().z, 2, 1e-3);
+  EXPECT_NEAR(w[j].load().torque.z, 8, 1e-2);
+  step(w, 200);
+  EXPECT_NEAR(w[b].spin().z, 5, 1e-3);
+}
+
+// A weight that is more than the drive's force falls, one that is less is held where it is.
+TEST(Drive, HoldsWhatItsForceCanHold) {
+  for (const double force : {9.0, 11.0}) {
+    World w(steady(0.01));
+    w.add(Gravity{});
+    const Body b = w.add(cube({0, 0, 0}));
+    w.join(Slider{.b = b, .at = {0, 0, 0}, .axis = {0, 1, 0},
+                  .drive = {.mode = DriveMode::speed, .target = 0, .force = Real(force)}});
+    step(w, 100);
+    EXPECT_NEAR(w[b].velocity().y, std::min(0.0, force - 9.81), 1e-3);
+  }
+}
+
+TEST(Drive, OffIsFree) {
+  Rail rail({}, {.mode = DriveMode::off, .target = 2, .force = 4});
+  rail.w.set_velocity(rail.b, {1, 0, 0}, {});
+  step(rail.w, 100);
+  EXPECT_NEAR(rail.speed(), 1, 1e-5);
+}
+
+// From rest to rest over the way d with the force F takes 2 √(d m/F) at best: a servo needs that, and a few steps; and
+// it does not overshoot.
+TEST(Servo, IsTimeOptimal) {
+  for (const double distance : {0.1, 5.0}) {
+    Rail rail({}, {.mode = DriveMode::servo, .target = Real(distance), .force = 1});
+    double settled = 0, overshoot = 0;
+    for (int i = 0; i < 1000; ++i) {
+      rail.w.step();
+      overshoot = std::max(overshoot, rail.x() - distance);
+      if (std::abs(rail.x() - distance) > 0.002 * distance) settled = rail.w.time();
+    }
+    const double best = 2 * std::sqrt(distance);
+    EXPECT_LT(overshoot, 1e-4) << distance;
+    EXPECT_NEAR(settled, best, 0.06 * best + 0.02) << distance;
+    EXPECT_NEAR(rail.x(), distance, 1e-4);
+    EXPECT_NEAR(rail.speed(), 0, 1e-4);
+  }
+}
+
+TEST(Servo, KeepsItsSpeedLimit) {
+  Rail rail({}, {.mode = DriveMode::servo, .target = 10, .force = 100, .max_speed = 2});
+  double fastest = 0;
+  for (int i = 0; i < 700; ++i) rail.w.step(), fastest = std::max(fastest, rail.speed());
+  EXPECT_NEAR(fastest, 2, 1e-4);
+  EXPECT_NEAR(rail.x(), 10, 1e-3);
+}
+
+TEST(Servo, HoldsAHingeAgainstAWeight) {
+  World w(steady(1.0 / 60, 4));
+  w.add(Gravity{});
+  const Body arm = w.add({.shape = box({1, Real(0.1), Real(0.1)}), .at = {0.5, 0, 0}, .mass = 1});
+  const Joint j = w.join(Hinge{.b = arm, .at = {0, 0, 0}, .axis = z_axis,
+                               .drive = {.mode = DriveMode::servo, .target = Real(0.5), .force = 20}});
+  step(w, 180);
+  EXPECT_NEAR(w[j].coordinate(), 0.5, 5e-3);
+  w.set_drive(j, {.mode = DriveMode::servo, .target = Real(-0.5), .force = 20});
+  step(w, 180);
+  EXPECT_NEAR(w[j].coordinate(), -0.5, 5e-3);
+  EXPECT_NEAR(w[j].load().torque.z, 9.81 * 0.5 * std::cos(0.5), 0.05);
+}
+
+TEST(Servo, StopsAtALimit) {
+  Rail rail({.high = 1}, {.mode = DriveMode::servo, .target = 3, .force = 5});
+  step(rail.w, 300);
+  EXPECT_NEAR(rail.x(), 1, 2e-3);
+}
+
+// A drive between two free bodies moves them apart by action and reaction.
+TEST(Drive, PushesBothBodies) {
+  World w(steady(0.01));
+  const Body a = w.add({.shape = box({1, 1, 1}), .mass = 3}), b = w.add({.shape = box({1, 1, 1}), .at = {2, 0, 0}, .mass = 1});
+  w.join(Slider{.a = a, .b = b, .at = {1, 0, 0}, .axis = x_axis,
+                .drive = {.mode = DriveMode::speed, .target = 100, .force = 3}});
+  step(w, 100);
+  EXPECT_NEAR(w[a].velocity().x, -1, 1e-3);
+  EXPECT_NEAR(w[b].velocity().x, 3, 1e-3);
+}
+
+}
+}
