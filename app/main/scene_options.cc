@@ -14,6 +14,13 @@ std::pair<std::string, std::string> name_and_value(const std::string& option, co
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+// The names of an enumeration, for the help.
+std::string choices(const char* const* names) {
+  std::string text;
+  for (; *names; ++names) text += (text.empty() ? "" : ", ") + std::string(*names);
+  return text;
+}
+
 double parameter(const std::string& name, const std::string& value) {
   if (value == "true" || value == "on") return 1;
   if (value == "false" || value == "off") return 0;
@@ -38,8 +45,8 @@ void SceneOptions::add_to(CLI::App& app) {
   app.add_option("--dt", dt, "length of a step, s");
   app.add_option("--substeps", substeps, "parts of a step");
   app.add_option("--time-factor", time_factor, "simulated seconds per second of a step");
-  app.add_option("--solver", solver, "impulse_2007");
-  app.add_option("--broad", broad, "brute");
+  app.add_option("--solver", solver, choices(names(Solver{})));
+  app.add_option("--broad", broad, choices(names(Broad{})));
   app.add_flag("--no-sleep", no_sleep, "compute bodies at rest, too");
   app.add_option("--seconds", seconds, "simulated time; else the scenario's own")->check(CLI::NonNegativeNumber);
   app.add_option("--keys", keys, "keys held from a time on: \"0:up+left 12.5:none\"");
