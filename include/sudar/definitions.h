@@ -8,6 +8,7 @@
 #include <sudar/shape.h>
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
@@ -81,6 +82,8 @@ struct BodyDef {
   Vec3 spin{};                     // angular velocity, rad/s, world axes
   Real density = 1000;             // kg/m³; used where mass is 0
   Real mass = 0;                   // kg; 0: from density
+  std::optional<Vec3> center{};    // of mass, in the shape's frame, m; none: the shape's own
+  std::optional<Mat3> inertia{};   // about the centre of mass, shape's axes, kg m²; none: the shape's own
   Material material{};
   Filter filter{};
   Motion motion = Motion::dynamic;
@@ -96,6 +99,8 @@ void describe(V& v, T& d) {
   v("spin", d.spin, any);
   v("density", d.density, positive);
   v("mass", d.mass, not_negative);
+  v("center", d.center, any);
+  v("inertia", d.inertia, any);
   v("material", d.material, any);
   v("filter", d.filter, any);
   v("motion", d.motion, any);

@@ -6,6 +6,7 @@
 #include <sudar/base.h>
 
 #include <cstring>
+#include <optional>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -108,6 +109,18 @@ void write(Writer& w, const T& x) { describe(w, x); }
 template <class T>
   requires requires(Reader& r, T& x) { describe(r, x); }
 void read(Reader& r, T& x) { describe(r, x); }
+
+// An optional value: whether it is there, then itself.
+template <class T>
+void write(Writer& w, const std::optional<T>& x) {
+  w.value(std::uint8_t(x ? 1 : 0));
+  if (x) write(w, *x);
+}
+template <class T>
+void read(Reader& r, std::optional<T>& x) {
+  x.reset();
+  if (r.value<std::uint8_t>() != 0) read(r, x.emplace());
+}
 
 // A variant: which alternative, then its fields.
 template <class... T>

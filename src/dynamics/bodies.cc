@@ -16,6 +16,20 @@ Real radius_about(const Geometry& g, const Vec3& shape) {
 }
 }
 
+double density_of(const BodyDef& def) {
+  return def.mass > 0 ? double(def.mass) / def.shape.geometry().mass.volume : double(def.density);
+}
+
+MassProperties mass_properties(const BodyDef& def) {
+  MassProperties m = def.shape.geometry().mass;
+  if (def.center) m.center = convert<double>(*def.center);
+  if (def.inertia) {
+    const Mat3& tensor = *def.inertia;
+    m.inertia = Mat3d{convert<double>(tensor.c0), convert<double>(tensor.c1), convert<double>(tensor.c2)} * (1 / density_of(def));
+  }
+  return m;
+}
+
 std::uint32_t Bodies::add(const BodyDef& def, std::uint32_t geometry_number) {
   const std::uint32_t i = slots.take();
 #define FIELD(type, name, unit, stage) \
@@ -29,10 +43,10 @@ std::uint32_t Bodies::add(const BodyDef& def, std::uint32_t geometry_number) {
   may_sleep[i] = def.sleeps ? 1 : 0;
   radius[i] = g.bounding_radius;
   if (def.shape.kind() != ShapeKind::half_space) {
-    const PrincipalFrame principal = principal_frame(g.mass);
+    const PrincipalFrame principal = principal_frame(mass_properties(def));
     shape_frame[i] = principal.shape;
     radius[i] = radius_about(g, principal.shape.p);
-    const double density = def.mass > 0 ? double(def.mass) / g.mass.volume : double(def.density);
+    const double density = density_of(def);
     mass[i] = Real(density * g.mass.volume);
     if (def.motion == Motion::dynamic) {
       inverse_mass[i] = 1 / mass[i];

@@ -8,6 +8,11 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
+// The density that the definition leads to [kg/m³], and its mass properties per unit density with what it overrides.
+// Not for a half space, which has none.
+double density_of(const BodyDef& def);
+MassProperties mass_properties(const BodyDef& def);
+
 struct Bodies {
 #define FIELD(type, name, unit, stage) std::vector<type> name;
 #include "dynamics/fields.def"

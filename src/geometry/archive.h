@@ -8,7 +8,7 @@ namespace sudar::inline SUDAR_PRECISION {
 
 template <class T>
 concept PlainMath = std::is_same_v<T, Vec3> || std::is_same_v<T, Quat> || std::is_same_v<T, Pos> ||
-                    std::is_same_v<T, Vec3d> || std::is_same_v<T, Transform>;
+                    std::is_same_v<T, Vec3d> || std::is_same_v<T, Mat3> || std::is_same_v<T, Transform>;
 
 template <PlainMath T>
 void write(Writer& w, const T& x) { w.raw(&x, sizeof x); }

@@ -20,15 +20,19 @@ void validate_spin(const Vec3& spin, const Vec3& inertia) {
 }
 
 void validate_mass(const BodyDef& def) {
-  const MassProperties m = def.shape.mass_properties();
-  const double mass = def.mass > 0 ? double(def.mass) : double(def.density) * m.volume;
+  const double density = density_of(def);
+  const MassProperties m = mass_properties(def);
   const auto fits = [](double x) { return std::isfinite(Real(x)) && Real(x) > 0 && std::isfinite(1 / Real(x)); };
-  if (!fits(mass)) {
-    throw Error(def.mass > 0 ? "mass" : "density", "makes a mass of " + std::to_string(mass) + " kg, which the precision cannot hold");
+  if (!fits(density * m.volume)) {
+    throw Error(def.mass > 0 ? "mass" : "density", "makes a mass of " + std::to_string(density * m.volume) + " kg, which the precision cannot hold");
   }
-  const Vec3d moments = principal_frame(m).moments * (mass / m.volume);
+  const Vec3d moments = principal_frame(m).moments * density;
   if (def.motion == Motion::dynamic && !(fits(moments.x) && fits(moments.y) && fits(moments.z))) {
-    throw Error("shape", "makes an inertia that the precision cannot hold");
+    throw Error(def.inertia ? "inertia" : "shape", "makes an inertia that the precision cannot hold");
+  }
+  const double largest = max_component(moments);
+  if (def.inertia && largest > 1.001 * (moments.x + moments.y + moments.z - largest)) {
+    throw Error("inertia", "is of no body: a principal moment is greater than the sum of the others");
   }
   validate_spin(def.spin, def.motion == Motion::dynamic ? convert<Real>(moments) : Vec3{});
 }
@@ -42,6 +46,7 @@ void validate_body(const BodyDef& def) {
     throw Error(def.velocity != Vec3{} ? "velocity" : "spin", "must be zero: the body is fixed");
   }
   if (def.shape.kind() != ShapeKind::half_space) validate_mass(def);
+  else if (def.center || def.inertia) throw Error(def.center ? "center" : "inertia", "is given, but a half space has none");
 }
 
 const char* kind_name(const JointDef& def) {

@@ -52,6 +52,15 @@ class Validator {
   void operator()(const char* name, const Quat& q, const UnitLength&) {
     if (!is_finite(q) || abs(sqrt(length_squared(q)) - 1) > Real(1e-3)) fail(name, "must be a unit quaternion");
   }
+  void operator()(const char* name, const Mat3& m, const Range&) {
+    if (!is_finite(m.c0) || !is_finite(m.c1) || !is_finite(m.c2)) fail(name, "is not finite");
+    const Vec3 skew{m.c1.z - m.c2.y, m.c2.x - m.c0.z, m.c0.y - m.c1.x};
+    if (length(skew) > Real(1e-4) * abs(trace(m))) fail(name, "is not symmetric");
+  }
+  template <class T, class Rule>
+  void operator()(const char* name, const std::optional<T>& x, const Rule& rule) {
+    if (x) (*this)(name, *x, rule);
+  }
   void operator()(const char* name, const Shape& shape, const Range&) {
     if (!shape) fail(name, "is missing");
   }
