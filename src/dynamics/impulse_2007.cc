@@ -43,6 +43,7 @@ class SubStep {
     report_.passes_microseconds += timer.microseconds();
     aim();
     accelerate_all();
+    warm_start();
     timer = {};
     hold();
     if (set_.shock_propagation) propagate();
@@ -288,7 +289,6 @@ class SubStep {
   // --- contacts: thesis (3.19), restitution −1 … 0, that is 1 + e = ρ as a relaxation factor ---
 
   void hold() {
-    warm_start();
     const bool pushing = needs_push();
     const Real enough = Real(1e-6) * g_ * h_;
     for (int pass = 1; pass <= set_.contact_passes; ++pass) {
