@@ -66,9 +66,13 @@ class Reader {
   }
   template <Number T>
   T value() {
-    T x;
-    raw(&x, sizeof x);
-    return x;
+    if constexpr (std::is_same_v<T, bool>) {  // a byte that is neither 0 nor 1 is no bool
+      return value<std::uint8_t>() != 0;
+    } else {
+      T x;
+      raw(&x, sizeof x);
+      return x;
+    }
   }
   std::size_t count(std::size_t element_size) {
     const auto n = value<std::uint64_t>();
