@@ -294,10 +294,16 @@ using SensorId = Handle<struct SensorTag>;
 enum class Solver : std::uint8_t { impulse_2007 };
 inline const char* const* names(Solver) { static constexpr const char* n[] = {"impulse_2007", nullptr}; return n; }
 enum class Broad : std::uint8_t {  // docs/broad_phase.md: all find the same pairs
-  brute,  // every changed body against every other one
-  tree,   // hierarchy of bounding boxes
+  brute,          // every changed body against every other one
+  grid,           // spatial hashing with cells of many sizes
+  sweep,          // sweep and prune: end points on three axes, kept in order
+  kinetic_sweep,  // the same, by the events of their motion
+  tree,           // hierarchies of bounding boxes
 };
-inline const char* const* names(Broad) { static constexpr const char* n[] = {"brute", "tree", nullptr}; return n; }
+inline const char* const* names(Broad) {
+  static constexpr const char* n[] = {"brute", "grid", "sweep", "kinetic_sweep", "tree", nullptr};
+  return n;
+}
 enum class Integrator : std::uint8_t {
   symplectic_euler,
   rk4,  // for bodies in islands without contacts and joints; the others use symplectic_euler

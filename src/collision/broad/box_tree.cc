@@ -52,7 +52,7 @@ void BoxTree::remove(std::uint32_t leaf) {
 
 void BoxTree::settle() {
   inserted_ += pending_.size();
-  if (pending_.size() > leaves_ / 2 || inserted_ > leaves_) {
+  if (pending_.size() > leaves_ / 2 || inserted_ > 4 * leaves_) {
     rebuild();
   } else {
     for (const std::uint32_t leaf : pending_) unlink(leaf);
@@ -87,10 +87,19 @@ void BoxTree::adopt(std::uint32_t node, std::uint32_t left, std::uint32_t right)
   refit(node);
 }
 
-void BoxTree::refit(std::uint32_t node) {
-  const Node &left = nodes_[nodes_[node].left], &right = nodes_[nodes_[node].right];
-  nodes_[node].box = join(left.box, right.box);
-  nodes_[node].height = 1 + max(left.height, right.height);
+// Whether that changed the node.
+bool BoxTree::refit(std::uint32_t node) {
+  Node& n = nodes_[node];
+  const Node &left = nodes_[n.left], &right = nodes_[n.right];
+  const Box box = join(left.box, right.box);
+  const std::uint32_t height = 1 + max(left.height, right.height);
+  if (box.low == n.box.low && box.high == n.box.high && height == n.height) return false;
+  n.box = box, n.height = height;
+  return true;
+}
+
+void BoxTree::refit_from(std::uint32_t node) {
+  while (node != none && refit(node)) node = nodes_[node].parent;
 }
 
 void BoxTree::replace(std::uint32_t parent, std::uint32_t child, std::uint32_t by) {
@@ -114,7 +123,7 @@ void BoxTree::unlink(std::uint32_t leaf) {
   const std::uint32_t grandparent = nodes_[parent].parent;
   replace(grandparent, parent, sibling);
   give_back(parent);
-  for (std::uint32_t n = grandparent; n != none; n = nodes_[n].parent) refit(n);
+  refit_from(grandparent);
 }
 
 void BoxTree::link(std::uint32_t leaf) {
@@ -126,7 +135,7 @@ void BoxTree::link(std::uint32_t leaf) {
   const std::uint32_t parent = take();
   replace(above, sibling, parent);
   adopt(parent, sibling, leaf);
-  for (std::uint32_t n = above; n != none; n = nodes_[n].parent) refit(n);
+  refit_from(above);
 }
 
 // Descends into the child whose subtree would grow less, until a parent for the node at hand and the new leaf costs

@@ -68,7 +68,8 @@ class BoxTree {
   std::uint32_t take();
   void give_back(std::uint32_t node);
   void adopt(std::uint32_t node, std::uint32_t left, std::uint32_t right);
-  void refit(std::uint32_t node);
+  bool refit(std::uint32_t node);
+  void refit_from(std::uint32_t node);
   void replace(std::uint32_t parent, std::uint32_t child, std::uint32_t by);
   void link(std::uint32_t leaf);
   void unlink(std::uint32_t leaf);

@@ -60,7 +60,7 @@ TEST(BoxTree, StaysShallowWhenLeavesGo) {
 }
 
 // Insertion one by one in the worst order, sorted, and long motion both leave a tree that is searched about as fast as
-// one built at once.
+// one built at once: at most 1.3 times as many visits, where never building anew gives 1.5.
 TEST(BoxTree, KeepsItsQuality) {
   std::vector<Box> boxes;
   for (int x = 0; x < 12; ++x) {
@@ -80,7 +80,7 @@ TEST(BoxTree, KeepsItsQuality) {
     leaves.push_back(tree.add(boxes[i], i));
     tree.settle();
   }
-  EXPECT_LT(visits(tree, boxes), 1.6 * built_at_once());
+  EXPECT_LT(visits(tree, boxes), 1.3 * built_at_once());
 
   Random random(2);
   for (int step = 0; step < 300; ++step) {
@@ -92,7 +92,7 @@ TEST(BoxTree, KeepsItsQuality) {
     }
     tree.settle();
   }
-  EXPECT_LT(visits(tree, boxes), 1.6 * built_at_once());
+  EXPECT_LT(visits(tree, boxes), 1.3 * built_at_once());
 }
 
 // A leaf that stays within its parent's box moves without a trace in the structure; searches see its new place.

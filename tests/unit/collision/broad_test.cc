@@ -222,7 +222,25 @@ TEST_P(Kinds, Rain) {
   EXPECT_GT(pairs, 5000u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Broad, Kinds, testing::Values(Broad::tree),
+// Everything jumps at once, further than sorting can follow; small motions in between.
+TEST_P(Kinds, EverythingJumps) {
+  Population p(GetParam(), 4);
+  const auto random_box = [&] { return box_at(Pos{} + wide(p.random.in_box(20)), {2, 2, 2}); };
+  for (int i = 0; i < 2000; ++i) p.add(random_box());
+  for (int step = 0; step < 12; ++step) {
+    EXPECT_GT(p.compare(), step % 3 == 0 ? 1000u : 10u);
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+      if (step % 3 == 2) {
+        p.change(i).box = random_box();
+      } else if (i % 5 == 0) {
+        Box& box = p.change(i).box;
+        box = {box.low + Vec3d{0.1, 0, 0}, box.high + Vec3d{0.1, 0, 0}};
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Broad, Kinds, testing::Values(Broad::grid, Broad::sweep, Broad::kinetic_sweep, Broad::tree),
                          [](const auto& info) { return names(Broad{})[int(info.param)]; });
 
 }
