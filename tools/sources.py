@@ -4,7 +4,7 @@ import pathlib
 import re
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ("include", "src", "scenarios", "bench", "app", "tests", "tools")
+FOLDERS = ("include", "src", "scenarios", "verify", "bench", "app", "tests", "tools")
 
 
 def sources(root, folders=FOLDERS):

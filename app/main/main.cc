@@ -25,6 +25,7 @@ int start(int argc, char** argv) {
   add_render(app, chosen);
   add_replay(app, chosen);
   add_bench(app, chosen);
+  add_verify(app, chosen);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) { return app.exit(e) == 0 ? 0 : bad_usage; }

@@ -14,19 +14,27 @@ std::pair<std::string, std::string> name_and_value(const std::string& option, co
   return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
-// The names of an enumeration, for the help.
-std::string choices(const char* const* names) {
-  std::string text;
-  for (; *names; ++names) text += (text.empty() ? "" : ", ") + std::string(*names);
-  return text;
-}
-
 double parameter(const std::string& name, const std::string& value) {
   if (value == "true" || value == "on") return 1;
   if (value == "false" || value == "off") return 0;
   return parse_number("--set " + name, value);
 }
 
+}
+
+std::string choices(const char* const* names) {
+  std::string text;
+  for (; *names; ++names) text += (text.empty() ? "" : ", ") + std::string(*names);
+  return text;
+}
+
+std::map<std::string, double> parse_parameters(const std::vector<std::string>& texts) {
+  std::map<std::string, double> set;
+  for (const std::string& text : texts) {
+    const auto [name, value] = name_and_value("--set", text);
+    set[name] = parameter(name, value);
+  }
+  return set;
 }
 
 double parse_number(const std::string& what, const std::string& text) {
@@ -54,10 +62,7 @@ void SceneOptions::add_to(CLI::App& app) {
 
 Settings SceneOptions::settings() const {
   Settings s;
-  for (const std::string& text : set) {
-    const auto [name, value] = name_and_value("--set", text);
-    s.set[name] = parameter(name, value);
-  }
+  s.set = parse_parameters(set);
   const std::pair<const char*, const std::string*> short_forms[] = {
       {"dt", &dt}, {"substeps", &substeps}, {"time_factor", &time_factor}, {"solver", &solver}, {"broad", &broad}};
   for (const auto& [path, value] : short_forms) {

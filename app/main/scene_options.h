@@ -19,6 +19,12 @@ struct SceneOptions {
   Settings settings() const;  // throws Error naming the option
 };
 
+// {"ball=0", "rows=10"} of --set; true, on, false and off are 1 and 0.
+std::map<std::string, double> parse_parameters(const std::vector<std::string>&);
+
+// The names of an enumeration, for the help.
+std::string choices(const char* const* names);
+
 // "1280x720" → 1280, 720.
 std::pair<int, int> parse_size(const std::string&);
 

@@ -37,8 +37,9 @@ void accelerate(const Bodies& b, std::uint32_t i, const Wrench& load, const Drag
   if (load.torque != Vec3{}) body.w += body.inverse_inertia * load.torque * h;
   const Real rate = drag.linear + drag.quadratic * length(body.v);
   const Real angular_rate = drag.angular + drag.angular_quadratic * length(body.w);
-  if (rate > 0) body.v *= 1 / (1 + h * rate);
-  if (angular_rate > 0) body.w *= 1 / (1 + h * angular_rate);
+  // v/(1 + h rate) as a difference: a rounded factor near 1 would act with the same error in every step (verify V02).
+  if (rate > 0) body.v -= body.v * (h * rate / (1 + h * rate));
+  if (angular_rate > 0) body.w -= body.w * (h * angular_rate / (1 + h * angular_rate));
 }
 
 bool drift(Bodies& b, std::uint32_t i, const SolverBody& body, const Vec3& spin_before, Real h) {

@@ -1,0 +1,114 @@
+// sudar verify: how right the engine is, case by case (docs/verification.md).
+#include "verify/runner.h"
+
+#include <cstdio>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "main/command.h"
+#include "main/progress.h"
+#include "main/scene_options.h"
+#include "verify/report.h"
+
+namespace sudar::app {
+
+using namespace verify;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct VerifyOptions {
+  std::vector<std::string> cases, set;
+  std::string solver, report;
+  bool quick = false, full = false, list = false, json = false;
+  unsigned jobs = 0;
+
+  Options options() const {
+    Options o{.cases = cases, .set = parse_parameters(set), .jobs = jobs};
+    if (quick && full) throw Error("--quick", "and --full exclude each other");
+    o.effort = quick ? Effort::quick : full ? Effort::full : Effort::normal;
+    o.solvers.clear();
+    for (int s = 0; names(Solver{})[s] != nullptr; ++s) {
+      if (solver.empty() || solver == names(Solver{})[s]) o.solvers.push_back(Solver(s));
+    }
+    if (o.solvers.empty()) throw Error("--solver", "\"" + solver + "\" given, expected: " + choices(names(Solver{})));
+    return o;
+  }
+};
+
+void list_cases() {
+  for (const Case& c : all_cases()) {
+    std::printf("%-5s %-16s %s%s%s\n", c.id, c.group, c.title, *c.needs != 0 ? ": needs " : "", c.needs);
+    for (const Parameter& p : c.parameters) {
+      std::printf("%24s = %g %s (%g … %g)\n", p.name, p.value, p.unit, p.low, p.high);
+    }
+  }
+}
+
+void print(const Result& r) {
+  std::printf("%-5s %s, %s%s (%.2f s)\n", r.of->id, r.of->title, r.set.c_str(), r.passed() ? "" : ": FAILED", r.seconds);
+  if (!r.failure.empty()) std::printf("      %s\n", r.failure.c_str());
+  for (const Quantity& q : r.quantities) {
+    std::printf("      %-6s %-46s %14.9g %14.9g  error %9.3g of %9.3g %s\n", q.pass() ? "ok" : "FAILED", q.name.c_str(),
+                q.exact, q.got, q.error(), q.tolerance, q.unit.c_str());
+  }
+}
+
+Json json_of(const std::vector<Result>& results) {
+  Json all = Json::array();
+  for (const Result& r : results) {
+    Json entry{{"id", r.of->id}, {"name", r.of->title}, {"solver", nullptr}};
+    if (r.solver) entry["solver"] = solver_name(*r.solver);
+    const auto add = [&](const std::string& quantity, const Quantity& q) {
+      Json e = entry;
+      e["quantity"] = quantity, e["unit"] = q.unit, e["parameters"] = Json(r.parameters);
+      e["exact"] = q.exact, e["got"] = q.got, e["error"] = q.error(), e["tolerance"] = q.tolerance;
+      e["pass"] = q.pass(), e["seconds"] = r.seconds;
+      all.push_back(e);
+    };
+    for (const Quantity& q : r.quantities) add(q.name, q);
+    const double unknown = std::nan("");
+    if (!r.failure.empty()) add(r.failure, {"", "", unknown, unknown, 0});
+  }
+  return all;
+}
+
+int verify(const VerifyOptions& v) {
+  if (v.list) {
+    list_cases();
+    return 0;
+  }
+  Progress progress("verify", 1);
+  const std::vector<Result> results = run_cases(v.options(), [&](double share) { progress.show(share); });
+  progress.clear();
+  const Tally tally = count(results);
+  if (v.json) {
+    std::cout << json_of(results).dump(2) << '\n';
+  } else {
+    for (const Result& r : results) print(r);
+    std::printf("\n%s\n", tally.text().c_str());
+  }
+  if (!v.report.empty()) write_report(v.report, results);
+  return tally.passed == tally.cases ? 0 : 1;
+}
+
+}
+
+void add_verify(CLI::App& app, Action& chosen) {
+  CLI::App* sub = app.add_subcommand("verify", "compare with exact results");
+  const auto v = std::make_shared<VerifyOptions>();
+  sub->add_option("cases", v->cases, "only these, by their numbers");
+  sub->add_flag("--quick", v->quick, "those that take little time");
+  sub->add_flag("--full", v->full, "those that take long, too");
+  sub->add_flag("--list", v->list, "name the cases and their parameters, run none");
+  sub->add_option("--set", v->set, "parameter of the cases: NAME=VALUE; may be repeated")->allow_extra_args(false);
+  sub->add_option("--solver", v->solver, "one solver only: " + choices(names(Solver{})));
+  sub->add_option("--jobs", v->jobs, "cases at once; else as many as the processor has cores");
+  sub->add_flag("--json", v->json, "the results as JSON (docs/verification.md)");
+  sub->add_option("--report", v->report, "folder for an HTML report");
+  sub->callback([&chosen, v] { chosen = [v](const Catalogue&) { return verify(*v); }; });
+}
+
+}

@@ -1,0 +1,54 @@
+// The cases of `sudar verify`: the quick ones pass but for those that are known to fail and explained, and every one
+// bites.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "verify/known_failures.h"
+#include "verify/runner.h"
+
+using namespace sudar;
+using namespace sudar::verify;
+
+namespace {
+
+// A failure that is not known is a regression; one that is known and gone has to leave the list.
+TEST(Cases, FailAsKnown) {
+  const std::set<std::string> known(std::begin(known_failures), std::end(known_failures));
+  std::map<std::string, bool> passed;
+  for (const Result& r : run_cases({.effort = Effort::quick})) {
+    passed.try_emplace(r.of->id, true).first->second &= r.passed();
+    if (r.passed() || r.of->run == nullptr || known.contains(r.of->id)) continue;
+    EXPECT_EQ(r.failure, "") << r.of->id;
+    for (const Quantity& q : r.quantities) {
+      if (!q.pass()) ADD_FAILURE() << r.of->id << ' ' << r.set << ": " << q.name << " is " << q.got << ", not " << q.exact << " ± " << q.tolerance;
+    }
+  }
+  for (const std::string& id : known) {
+    if (!passed.contains(id)) continue;
+    EXPECT_FALSE(passed[id]) << id << " passes: take it out of known_failures.h and docs/verification.md";
+  }
+}
+
+TEST(Cases, BiteWithoutTheirPhysics) {
+  for (const Result& r : run_cases({.effort = Effort::quick, .broken = true, .only_defaults = true})) {
+    if (r.of->run == nullptr) continue;
+    EXPECT_NE(std::string(r.of->without), "") << r.of->id << " does not say what may be taken away";
+    EXPECT_FALSE(r.passed()) << r.of->id << " passes without " << r.of->without;
+  }
+}
+
+TEST(Cases, AreLawsNotNumbers) {
+  std::set<std::string> ids;
+  for (const Case& c : all_cases()) {
+    EXPECT_TRUE(ids.insert(c.id).second) << c.id << " twice";
+    if (c.run == nullptr) {
+      EXPECT_NE(std::string(c.needs), "") << c.id;
+      continue;
+    }
+    EXPECT_FALSE(c.sets.empty()) << c.id << " runs one set of parameters only";
+    for (const ParameterSet& set : c.sets) EXPECT_NO_THROW(values_of(c, set.values)) << c.id;
+  }
+}
+
+}

@@ -1,0 +1,71 @@
+#include "verify/case.h"
+
+#include <cmath>
+
+namespace sudar::verify {
+
+Values values_of(const Case& c, const Values& set) {
+  Values values;
+  for (const Parameter& p : c.parameters) values[p.name] = p.value;
+  for (const auto& [name, value] : set) {
+    if (!values.contains(name)) throw Error(name, std::string("is no parameter of ") + c.id);
+    values[name] = value;
+  }
+  return values;
+}
+
+Run::Run(const Case& c, const Values& set, const Setting& setting)
+    : case_(c), values_(values_of(c, set)), setting_(setting) {
+  for (const Parameter& p : c.parameters) {
+    const double value = values_.at(p.name);
+    if (value >= p.low && value <= p.high) continue;
+    throw Error(p.name, "is " + std::to_string(value) + ", must be within " + std::to_string(p.low) + " and " +
+                            std::to_string(p.high));
+  }
+}
+
+double Run::operator[](std::string_view parameter) const { return values_.at(std::string(parameter)); }
+
+bool Run::without(std::string_view what) const { return setting_.broken && what == case_.without; }
+
+Config Run::config() const {
+  Config c;
+  c.solver = setting_.solver;
+  c.substeps = setting_.substeps;
+  c.sleep = false;
+  if (without("impulses")) c.impulse_2007.collision_passes = c.impulse_2007.contact_passes = 0;
+  return c;
+}
+
+Config Run::fine_config() const {
+  Config c = config();
+  c.dt /= c.substeps;
+  c.substeps = 1;
+  return c;
+}
+
+void Run::until(World& w, double seconds, const std::function<void()>& visit) const {
+  const double half_step = w.config().dt * double(w.config().time_factor) / 2;
+  while (w.time() < seconds - half_step) {
+    w.step();
+    visit();
+  }
+}
+
+void Run::check(std::string name, std::string unit, double exact, double got, double tolerance) {
+  quantities_.push_back({std::move(name), std::move(unit), exact, got, tolerance});
+}
+
+void Run::relative(std::string name, std::string unit, double exact, double got, double share) {
+  check(std::move(name), std::move(unit), exact, got, share * std::fabs(exact));
+}
+
+void Run::lacks(std::string name, std::string unit, double exact, const char* what) {
+  check(name + " (needs " + what + ")", std::move(unit), exact, std::nan(""), 0);
+}
+
+Plot& Run::plot(std::string title, std::string x, std::string y) {
+  return plots_.emplace_back(Plot{std::move(title), std::move(x), std::move(y)});
+}
+
+}

@@ -1,0 +1,18 @@
+#include "verify/cases/cases.h"
+#include "verify/runner.h"
+
+namespace sudar::verify {
+
+const std::vector<Case>& all_cases() {
+  static const std::vector<Case> cases = [] {
+    std::vector<Case> all;
+    for (const auto file : {free_bodies, rotations, pendulums}) {
+      std::vector<Case> some = file();
+      all.insert(all.end(), some.begin(), some.end());
+    }
+    return all;
+  }();
+  return cases;
+}
+
+}

@@ -1,0 +1,12 @@
+// The table of cases, a function for each file of them.
+#pragma once
+
+#include "verify/case.h"
+
+namespace sudar::verify {
+
+std::vector<Case> free_bodies();
+std::vector<Case> rotations();
+std::vector<Case> pendulums();
+
+}

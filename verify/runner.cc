@@ -1,0 +1,143 @@
+#include "verify/runner.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "verify/numerics.h"
+
+namespace sudar::verify {
+
+bool Result::passed() const {
+  return failure.empty() && !quantities.empty() &&
+         std::all_of(quantities.begin(), quantities.end(), [](const Quantity& q) { return q.pass(); });
+}
+
+const Case& find_case(std::string_view id) {
+  for (const Case& c : all_cases()) {
+    if (c.id == id) return c;
+  }
+  throw Error(std::string(id), "is no case: sudar verify --list names them");
+}
+
+Tally count(const std::vector<Result>& results) {
+  Tally tally;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (i > 0 && results[i].of == results[i - 1].of) continue;
+    bool passed = true;
+    for (std::size_t k = i; k < results.size() && results[k].of == results[i].of; ++k) passed &= results[k].passed();
+    ++tally.cases;
+    tally.passed += passed ? 1 : 0;
+    tally.cannot += results[i].of->run == nullptr ? 1 : 0;
+  }
+  return tally;
+}
+
+std::string Tally::text() const {
+  return std::to_string(passed) + " of " + std::to_string(cases) + " cases pass; " + std::to_string(cases - passed - cannot) +
+         " fail, " + std::to_string(cannot) + " need what the engine does not have";
+}
+
+const char* solver_name(Solver solver) { return names(solver)[std::size_t(solver)]; }
+
+namespace {
+
+std::vector<const Case*> chosen_cases(const Options& o) {
+  std::vector<const Case*> chosen;
+  for (const std::string& id : o.cases) chosen.push_back(&find_case(id));
+  if (!o.cases.empty()) return chosen;
+  for (const Case& c : all_cases()) {
+    if (c.effort <= o.effort) chosen.push_back(&c);
+  }
+  return chosen;
+}
+
+Values known_to(const Case& c, const Values& set) {
+  Values known;
+  for (const Parameter& p : c.parameters) {
+    if (const auto at = set.find(p.name); at != set.end()) known.insert(*at);
+  }
+  return known;
+}
+
+std::vector<Result> plan(const Options& o) {
+  const std::vector<const Case*> cases = chosen_cases(o);
+  for (const auto& [name, value] : o.set) {
+    const bool known = std::any_of(cases.begin(), cases.end(), [&](const Case* c) {
+      return !known_to(*c, {{name, value}}).empty();
+    });
+    if (!known) throw Error(name, "is no parameter of the chosen cases");
+  }
+  std::vector<Result> results;
+  for (const Case* c : cases) {
+    std::vector<ParameterSet> sets{{"defaults", {}}};
+    if (const Values own = known_to(*c, o.set); !own.empty())
+      sets = {{"chosen", own}};
+    else if (!o.only_defaults) sets.insert(sets.end(), c->sets.begin(), c->sets.end());
+    for (const ParameterSet& set : sets) {
+      const Result r{.of = c, .set = set.name, .parameters = values_of(*c, set.values), .solver = {}};
+      if (!c->uses_solver) results.push_back(r);
+      for (std::size_t s = 0; c->uses_solver && s < o.solvers.size(); ++s)
+        results.push_back(r), results.back().solver = o.solvers[s];
+      if (c->run == nullptr) break;
+    }
+  }
+  return results;
+}
+
+// The case with 1, 2, 4 and 8 sub-steps: the deviations fall as h^order.
+void measure_order(const Case& c, Result& r, Run::Setting setting) {
+  for (const int substeps : {1, 2, 4, 8}) {
+    setting.substeps = substeps;
+    Run run(c, r.parameters, setting);
+    c.run(run);
+    r.sweep.emplace_back(run.h(), run.deviation());
+  }
+  std::vector<std::pair<double, double>> logs;
+  for (const auto& [h, error] : r.sweep) logs.emplace_back(std::log(h), std::log(error));
+  r.quantities.push_back({std::string("order of ") + c.sweep, "1", c.order, slope(logs), 0.2});
+}
+
+void run_one(const Options& o, Result& r) {
+  const auto start = std::chrono::steady_clock::now();
+  const Case& c = *r.of;
+  try {
+    const Run::Setting setting{r.solver.value_or(Solver::impulse_2007), o.broken, 4, o.effort};
+    Run run(c, r.parameters, setting);
+    if (c.run == nullptr) {
+      r.failure = std::string("needs ") + c.needs;
+      return;
+    }
+    c.run(run);
+    r.quantities = run.quantities();
+    r.plots = run.plots();
+    if (*c.sweep != 0 && o.effort != Effort::quick && !o.broken) measure_order(c, r, setting);
+  } catch (const std::exception& e) { r.failure = e.what(); }
+  r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}
+
+std::vector<Result> run_cases(const Options& o, const std::function<void(double share)>& progress) {
+  std::vector<Result> results = plan(o);
+  std::atomic<std::size_t> next = 0, done = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < results.size(); i = next++) {
+      run_one(o, results[i]);
+      ++done;
+    }
+  };
+  const unsigned jobs = o.jobs > 0 ? o.jobs : std::max(1u, std::thread::hardware_concurrency());
+  std::vector<std::thread> threads;
+  for (unsigned j = 0; j < jobs; ++j) threads.emplace_back(work);
+  while (done < results.size()) {
+    progress(double(done) / double(results.size()));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  for (std::thread& t : threads) t.join();
+  return results;
+}
+
+}

@@ -1,0 +1,51 @@
+// Runs cases: each in worlds of its own, so as many at once as there are threads.
+#pragma once
+
+#include <optional>
+
+#include "verify/case.h"
+
+namespace sudar::verify {
+
+// The 63 cases in the order of their numbers, and the extra ones after them.
+const std::vector<Case>& all_cases();
+const Case& find_case(std::string_view id);  // throws Error
+
+struct Result {
+  const Case* of;
+  std::string set;  // name of the parameter set
+  Values parameters;
+  std::optional<Solver> solver;  // none: the case is geometry
+  std::vector<Quantity> quantities{};
+  std::deque<Plot> plots{};
+  std::vector<std::pair<double, double>> sweep{};  // length of a sub-step, deviation
+  double seconds = 0;                              // it took
+  std::string failure{};                           // why it could not be run to its end
+  bool passed() const;
+};
+
+struct Options {
+  std::vector<std::string> cases{};  // by id; none: all that the effort allows
+  Effort effort = Effort::normal;
+  Values set{};  // instead of the cases' own sets: their defaults with these
+  std::vector<Solver> solvers{Solver::impulse_2007};
+  unsigned jobs = 0;    // 0: as many as the processor has
+  bool broken = false;  // with the physics taken away
+  bool only_defaults = false;  // of the parameter sets
+};
+
+// How many cases pass: a case does when it does so with every set of parameters and every solver.
+struct Tally {
+  int cases = 0, passed = 0, cannot = 0;  // cannot: the engine lacks something
+  std::string text() const;
+};
+Tally count(const std::vector<Result>&);
+
+const char* solver_name(Solver);
+
+// In the order of the cases, whatever finishes first. `progress` is told the share that is done, now and then, on the
+// thread that called.
+std::vector<Result> run_cases(
+    const Options&, const std::function<void(double share)>& progress = [](double) {});
+
+}

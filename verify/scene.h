@@ -1,0 +1,32 @@
+// What many cases are built from.
+#pragma once
+
+#include "verify/case.h"
+
+namespace sudar::verify {
+
+inline constexpr double standard_gravity = 9.81;  // m/s², of all cases
+
+inline Material material(double friction, double restitution = 0) {
+  return {.friction_static = Real(friction), .friction_dynamic = Real(friction), .restitution = Real(restitution)};
+}
+
+// Everything below y = 0, or below a plane through `at` whose normal is y turned by `turn`.
+inline Body add_ground(World& w, const Material& m, const Pos& at = {}, const Quat& turn = {}) {
+  return w.add({.shape = half_space(), .at = at, .turn = turn, .material = m, .motion = Motion::fixed});
+}
+
+inline void add_gravity(World& w, double g) { w.add(Gravity{{0, Real(-g), 0}}); }
+
+// The tolerance in single or in double precision.
+inline constexpr double by_precision(double single, double twice) { return sizeof(Real) == 4 ? single : twice; }
+
+// A thin rod of the length along x, centred, with a rod's inertia; about its own axis it has next to none.
+inline BodyDef thin_rod(double length, double mass, double thickness = 0.01) {
+  const Real across = Real(mass * length * length / 12);
+  return {.shape = box({Real(length), Real(thickness), Real(thickness)}),
+          .mass = Real(mass),
+          .inertia = Mat3::diagonal({across / 1000, across, across})};
+}
+
+}
