@@ -86,11 +86,16 @@ Real JointSolve::solve_block(bool pull, Speed speed, Apply apply) {
 
 void JointSolve::stop(SolverBody& on_a, SolverBody& on_b) {
   solve_block(false, [&](const PreparedRow& row) { return row.speed(on_a, on_b); },
-              [&](std::size_t r, Real impulse) { rows_[r].apply(on_a, on_b, impulse); });
+              [&](std::size_t r, Real impulse) {
+                rows_[r].apply(on_a, on_b, impulse);
+                struck_[r] += impulse;
+              });
   for (BoundedRow* row : {&low_, &high_}) {
     if (!row->present) continue;
     const Real impulse = (row->target - row->row.speed(on_a, on_b)) * row->mass;
-    if (impulse > row->low && impulse < row->high) row->row.apply(on_a, on_b, impulse);
+    if (!(impulse > row->low && impulse < row->high)) continue;
+    row->row.apply(on_a, on_b, impulse);
+    struck_limit_ += impulse;
   }
 }
 
@@ -136,7 +141,7 @@ Real JointSolve::push(SolverBody& on_a, SolverBody& on_b) {
 }
 
 void JointSolve::store(Joints& joints) const {
-  joints.impulse[joint_] = {impulse_, low_.impulse, high_.impulse, drive_.impulse};
+  joints.impulse[joint_] = {impulse_, low_.impulse, high_.impulse, drive_.impulse, struck_, struck_limit_};
 }
 
 }

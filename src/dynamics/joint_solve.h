@@ -19,7 +19,7 @@ class JointSolve {
 
   std::uint32_t a, b;  // body slots, or no_body
 
-  // An impact: the relative velocity vanishes at once; nothing is kept.
+  // An impact: the relative velocity vanishes at once; what that took counts as load only.
   void stop(SolverBody& on_a, SolverBody& on_b);
   void warm_start(SolverBody& on_a, SolverBody& on_b) const;
   // One visit of the accumulated impulses; of the pseudo ones. Return the largest relative velocity mended.
@@ -46,6 +46,8 @@ class JointSolve {
   std::array<PreparedRow, 6> rows_;
   SmallSystem block_;
   std::array<Real, 6> impulse_, bias_{};  // bias: rate that pulls the position back
+  std::array<Real, 6> struck_{};          // of all impacts
+  Real struck_limit_ = 0;
   BoundedRow low_, high_, drive_;
 };
 

@@ -2,7 +2,7 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-static_assert(sizeof(JointImpulse) == 9 * sizeof(Real) && sizeof(Limit) == 2 * sizeof(Real), "saved as bytes");
+static_assert(sizeof(JointImpulse) == 16 * sizeof(Real) && sizeof(Limit) == 2 * sizeof(Real), "saved as bytes");
 
 namespace {
 

@@ -13,6 +13,9 @@ inline constexpr std::uint32_t no_body = 0xffffffffu;  // the world
 struct JointImpulse {
   std::array<Real, 6> rows{};
   Real low = 0, high = 0, drive = 0;
+  // Of the impacts before it, the block's rows and the limit: part of the load, never warm-started.
+  std::array<Real, 6> struck{};
+  Real struck_limit = 0;
 };
 
 struct Joints {

@@ -142,8 +142,8 @@ Wrench JointView::load() const {
     on_b.force += force;
     on_b.torque += row.angular_b * (-lambda / Real(w.h)) - cross(arm, force);
   };
-  for (std::size_t r = 0; r < std::size_t(rows.count); ++r) add(rows.rows[r], impulse.rows[r]);
-  if (rows.free) add(rows.rate, impulse.low + impulse.high + impulse.drive);
+  for (std::size_t r = 0; r < std::size_t(rows.count); ++r) add(rows.rows[r], impulse.rows[r] + impulse.struck[r]);
+  if (rows.free) add(rows.rate, impulse.low + impulse.high + impulse.drive + impulse.struck_limit);
   return on_b;
 }
 
