@@ -29,3 +29,12 @@ def layers(root):
         lists = re.findall(r"sudar_folder\(([^)]*)\)", text)
         result.append((folder, [f"{folder}/{name}" for names in lists for name in names.split()]))
     return result
+
+
+def generate(target, text, write):
+    """Writes a generated page; without `write` only compares, and returns the complaints."""
+    if write:
+        target.write_text(text)
+    elif not target.exists() or target.read_text() != text:
+        return [f"{target.relative_to(ROOT).as_posix()} is not up to date: run its tool with --write"]
+    return []

@@ -12,7 +12,7 @@ equations are numbered here in their order.
 import re
 import sys
 
-from sources import ROOT, sources
+from sources import ROOT, generate, sources
 
 TITLE = "М. Тинтор, „Развој графичког импулсног симулатора динамике крутих тела“, дипломски рад, Београд 2007"
 
@@ -157,11 +157,7 @@ def main():
     places, complaints = anchors(ROOT)
     complaints += [f"no test has the anchor: thesis erratum {key}" for key, _, _ in ERRATA
                    if not any(name.startswith("tests/") for name, _ in places.get("erratum " + key, []))]
-    text = page(places)
-    if sys.argv[1:] == ["--write"]:
-        target.write_text(text)
-    elif not target.exists() or target.read_text() != text:
-        complaints.append("docs/thesis.md is not up to date: run tools/thesis_index.py --write")
+    complaints += generate(target, page(places), write=sys.argv[1:] == ["--write"])
     print("\n".join(complaints), end="\n" if complaints else "")
     return 1 if complaints else 0
 

@@ -69,6 +69,7 @@ int run(const RunOptions& o, const Catalogue& catalogue) {
   Session session = start(o, catalogue);
   World& world = session.world();
   KeyScript keys(o.scene.keys);
+  keys.skip(world.time() - session.dt());  // of a run that goes on
   std::pair<std::string, std::int64_t> save{"", -1};
   if (!o.save.empty()) save = parse_save(o.save);
   std::optional<Csv> csv;

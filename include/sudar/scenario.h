@@ -61,13 +61,16 @@ class State {
   void operator()(std::string_view name, std::vector<T>& values) {
     std::uint64_t n = values.size();
     raw(name, &n, sizeof n);
+    if (reading_ && n > (bytes_.size() - position_) / sizeof(T)) missing(name);
     values.resize(n);
     raw(name, values.data(), n * sizeof(T));
   }
   const Bytes& bytes() const { return bytes_; }
+  bool all_read() const { return position_ == bytes_.size(); }
 
  private:
   void raw(std::string_view name, void* data, std::size_t size);
+  [[noreturn]] static void missing(std::string_view name);
   Bytes bytes_;
   std::size_t position_ = 0;
   bool reading_ = false;
@@ -82,6 +85,9 @@ class Input {
   void set(std::vector<std::string> held);  // what is held from now on; what was not held before counts as pressed
   void clear_pressed() { pressed_.clear(); }
   Vec3 view{0, 0, -1};
+
+  Bytes save() const;
+  void load(const Bytes&);
 
  private:
   std::vector<std::string> held_, pressed_;

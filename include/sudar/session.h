@@ -35,6 +35,7 @@ class KeyScript {
   KeyScript() = default;
   explicit KeyScript(std::string_view text);                  // throws Error
   void apply(double time, Input&);                            // sets the keys held at `time`
+  void skip(double time);                                     // leaves out what is due by then: it was applied before
 
  private:
   std::vector<std::pair<double, std::vector<std::string>>> entries_;
@@ -59,6 +60,7 @@ class Session {
   const Check& check() const { return check_; }
   const std::vector<Params::Entry>& params() const { return params_; }
   double seconds() const { return seconds_; }                 // simulated
+  double dt() const;                                          // simulated seconds a step
   bool done() const;                                          // reached seconds()
   Input input;
 

@@ -3,7 +3,7 @@
 // arrays of structs assert their size where they are declared). Anything with a describe() is written field by field.
 #pragma once
 
-#include <sudar/base.h>
+#include "base/hash.h"
 
 #include <cstring>
 #include <optional>
@@ -44,6 +44,11 @@ class Writer {
   void operator()(const char*, const T& x, const Rule&) { write(*this, x); }
 
   std::vector<std::byte> take() { return std::move(bytes_); }
+  // Ends with a hash of all that was written, for unseal().
+  std::vector<std::byte> take_sealed() {
+    value(hash_bytes(bytes_.data(), bytes_.size()));
+    return take();
+  }
   const std::vector<std::byte>& bytes() const { return bytes_; }
 
  private:
@@ -53,7 +58,7 @@ class Writer {
 // Throws Error("data", …) where the bytes end too soon; a size that cannot be right is refused before memory is taken.
 class Reader {
  public:
-  explicit Reader(std::span<const std::byte> bytes) : bytes_(bytes) {}
+  explicit Reader(std::span<const std::byte> bytes, std::size_t from = 0) : bytes_(bytes), position_(from) {}
   void raw(void* data, std::size_t size) {
     if (size > left()) throw Error("data", "ends in the middle of a value");
     if (size > 0) std::memcpy(data, bytes_.data() + position_, size);
@@ -61,9 +66,13 @@ class Reader {
   }
   template <Number T>
   T value() {
-    T x;
-    raw(&x, sizeof x);
-    return x;
+    if constexpr (std::is_same_v<T, bool>) {  // a byte that is neither 0 nor 1 is no bool
+      return value<std::uint8_t>() != 0;
+    } else {
+      T x;
+      raw(&x, sizeof x);
+      return x;
+    }
   }
   std::size_t count(std::size_t element_size) {
     const auto n = value<std::uint64_t>();
@@ -89,8 +98,19 @@ class Reader {
 
  private:
   std::span<const std::byte> bytes_;
-  std::size_t position_ = 0;
+  std::size_t position_;
 };
+
+// What take_sealed() wrote, without its hash; throws Error("data", …) where it is cut short or damaged.
+inline std::span<const std::byte> unseal(std::span<const std::byte> bytes) {
+  std::uint64_t hash = 0;
+  if (bytes.size() >= sizeof hash) {
+    const auto content = bytes.first(bytes.size() - sizeof hash);
+    std::memcpy(&hash, bytes.data() + content.size(), sizeof hash);
+    if (hash == hash_bytes(content.data(), content.size())) return content;
+  }
+  throw Error("data", "is cut short or damaged");
+}
 
 // write() and read() for everything that a description may hold.
 template <Number T>

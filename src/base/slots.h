@@ -35,7 +35,17 @@ class Slots {
   Handle<Tag> handle(std::uint32_t i) const { return {i, generation_[i]}; }
 
   friend void write(Writer& w, const Slots& s) { w.array(s.generation_), w.array(s.free_), w.value(s.live_); }
-  friend void read(Reader& r, Slots& s) { r.array(s.generation_), r.array(s.free_), s.live_ = r.value<std::uint32_t>(); }
+  friend void read(Reader& r, Slots& s) {
+    r.array(s.generation_), r.array(s.free_), s.live_ = r.value<std::uint32_t>();
+    std::vector<bool> seen(s.generation_.size());
+    for (const std::uint32_t i : s.free_) {
+      if (i >= seen.size() || seen[i] || s.used(i)) throw Error("data", "frees a slot that is not free");
+      seen[i] = true;
+    }
+    std::uint32_t used = 0;
+    for (std::uint32_t i = 0; i < s.size(); ++i) used += s.used(i) ? 1 : 0;
+    if (used != s.live_ || used + s.free_.size() != s.size()) throw Error("data", "loses a slot");
+  }
 
  private:
   std::vector<std::uint32_t> generation_, free_;

@@ -2,24 +2,18 @@
 
 #include <algorithm>
 
-namespace sudar::inline SUDAR_PRECISION {
+#include "base/archive.h"
+#include "base/text.h"
 
-namespace {
-std::string number(double x) {
-  std::string s = std::to_string(x);
-  while (s.back() == '0') s.pop_back();
-  if (s.back() == '.') s.pop_back();
-  return s;
-}
-}
+namespace sudar::inline SUDAR_PRECISION {
 
 double Params::visit(std::string_view name, Kind kind, double value, double low, double high, std::string_view about) {
   if (const auto given = values_.find(std::string(name)); given != values_.end()) {
     value = given->second;
     const bool whole = std::floor(value) == value;
     if (!(value >= low && value <= high) || (kind != Kind::real && !whole)) {
-      throw Error(std::string(name), "is " + number(value) + ", must be " + (kind == Kind::real ? "" : "a whole number ") +
-                                         "from " + number(low) + " to " + number(high));
+      throw Error(std::string(name), "is " + text(value) + ", must be " + (kind == Kind::real ? "" : "a whole number ") +
+                                         "from " + text(low) + " to " + text(high));
     }
   }
   entries_.push_back({std::string(name), kind, value, low, high, std::string(about)});
@@ -51,13 +45,17 @@ void Params::require_all_known() const {
 
 void State::raw(std::string_view name, void* data, std::size_t size) {
   if (reading_) {
-    if (size > bytes_.size() - position_) throw Error(std::string(name), "is missing in the saved state of the scenario");
+    if (size > bytes_.size() - position_) missing(name);
     if (size > 0) std::memcpy(data, bytes_.data() + position_, size);
     position_ += size;
   } else {
     const auto* p = static_cast<const std::byte*>(data);
     bytes_.insert(bytes_.end(), p, p + size);
   }
+}
+
+void State::missing(std::string_view name) {
+  throw Error(std::string(name), "is missing in the saved state of the scenario");
 }
 
 bool Input::held(std::string_view key) const { return std::find(held_.begin(), held_.end(), key) != held_.end(); }
@@ -67,6 +65,25 @@ void Input::set(std::vector<std::string> keys) {
     if (!held(key)) pressed_.push_back(key);
   }
   held_ = std::move(keys);
+}
+
+Bytes Input::save() const {
+  Writer w;
+  for (const auto* keys : {&held_, &pressed_}) {
+    w.value(std::uint64_t(keys->size()));
+    for (const std::string& key : *keys) w.text(key);
+  }
+  w.value(view.x), w.value(view.y), w.value(view.z);
+  return w.take();
+}
+
+void Input::load(const Bytes& bytes) {
+  Reader r(bytes);
+  for (auto* keys : {&held_, &pressed_}) {
+    keys->resize(r.count(1));
+    for (std::string& key : *keys) key = r.text();
+  }
+  view.x = r.value<Real>(), view.y = r.value<Real>(), view.z = r.value<Real>();
 }
 
 std::string abi_of_this_engine() { return abi_of_this_file(); }

@@ -71,6 +71,7 @@ KeyScript::KeyScript(std::string_view text) {
     const std::string list = rest + 1;
     for (std::size_t k = 0; k <= list.size() && list != "none";) {
       const std::size_t plus = std::min(list.find('+', k), list.size());
+      if (plus == k) throw Error("keys", "'" + word + "' names a key without a name");
       keys.push_back(list.substr(k, plus - k));
       k = plus + 1;
     }
@@ -80,6 +81,10 @@ KeyScript::KeyScript(std::string_view text) {
 
 void KeyScript::apply(double time, Input& input) {
   for (; next_ < entries_.size() && entries_[next_].first <= time + 1e-9; ++next_) input.set(entries_[next_].second);
+}
+
+void KeyScript::skip(double time) {
+  while (next_ < entries_.size() && entries_[next_].first <= time + 1e-9) ++next_;
 }
 
 Session::Session(const ScenarioEntry& entry, const Settings& settings)
@@ -95,7 +100,9 @@ Session::Session(const ScenarioEntry& entry, const Settings& settings)
   scenario_->build(world_);
 }
 
-bool Session::done() const { return world_.time() >= seconds_ - world_.config().dt * double(world_.config().time_factor) / 2; }
+double Session::dt() const { return world_.config().dt * double(world_.config().time_factor); }
+
+bool Session::done() const { return world_.time() >= seconds_ - dt() / 2; }
 
 void Session::step() {
   scenario_->control(world_, input);
@@ -107,8 +114,7 @@ void Session::step() {
 }
 
 const Check& Session::finish() {
-  const double dt = world_.config().dt * double(world_.config().time_factor);
-  check_.visit(world_.time(), dt, world_.time() >= entry_->seconds - dt / 2);
+  check_.visit(world_.time(), dt(), world_.time() >= entry_->seconds - dt() / 2);
   scenario_->check(world_, check_);
   return check_;
 }
@@ -123,14 +129,16 @@ Bytes Session::save() const {
   scenario_->state(state);  // writes: changes nothing
   w.array(state.bytes());
   w.array(check_.save());
+  w.array(input.save());
   w.value(seconds_);
   w.array(world_.save());
-  return w.take();
+  return w.take_sealed();
 }
 
 Session Session::load(const Catalogue& catalogue, std::span<const std::byte> bytes) {
   Reader r(bytes);
   if (r.left() < sizeof magic || r.value<std::uint64_t>() != magic) throw Error("data", "is not a saved run");
+  r = Reader(unseal(bytes), r.position());
   Session s;
   s.entry_ = &catalogue.find(r.text());
   s.scenario_ = {s.entry_->create(), s.entry_->destroy};
@@ -147,8 +155,11 @@ Session Session::load(const Catalogue& catalogue, std::span<const std::byte> byt
   r.array(part);
   State state(part);
   s.scenario_->state(state);
+  if (!state.all_read()) throw Error("data", "holds more than the scenario remembers");
   r.array(part);
   s.check_.load(part);
+  r.array(part);
+  s.input.load(part);
   s.seconds_ = r.value<double>();
   r.array(part);
   s.world_.load(part);

@@ -24,8 +24,12 @@ class FieldSetter {
     } else {
       char* end = nullptr;
       const double x = std::strtod(value_.c_str(), &end);
-      if (value_.empty() || *end != '\0' || (std::is_integral_v<T> && double(T(x)) != x)) {
-        refuse(std::is_integral_v<T> ? "a whole number" : "a number");
+      const bool number = !value_.empty() && *end == '\0' && !std::isnan(x);
+      if constexpr (std::is_integral_v<T>) {
+        constexpr double low = double(std::numeric_limits<T>::min()), high = double(std::numeric_limits<T>::max());
+        if (!number || x < low || x > high || double(T(x)) != x) refuse("a whole number");
+      } else if (!number) {
+        refuse("a number");
       }
       field = T(x);
     }

@@ -119,6 +119,7 @@ struct World::Impl {
   // snapshot.cc
   void write_state(Writer&) const;
   void read_state(Reader&);
+  void check_state() const;  // throws Error("data", …) where something would be used that is not there
   std::uint64_t hash() const;
 };
 

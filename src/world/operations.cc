@@ -1,4 +1,5 @@
 // The operations: each validates, then changes; what throws has changed nothing.
+#include "base/text.h"
 #include "geometry/principal.h"
 #include "world/impl.h"
 #include "world/validate.h"
@@ -24,7 +25,7 @@ void validate_mass(const BodyDef& def) {
   const MassProperties m = mass_properties(def);
   const auto fits = [](double x) { return std::isfinite(Real(x)) && Real(x) > 0 && std::isfinite(1 / Real(x)); };
   if (!fits(density * m.volume)) {
-    throw Error(def.mass > 0 ? "mass" : "density", "makes a mass of " + std::to_string(density * m.volume) + " kg, which the precision cannot hold");
+    throw Error(def.mass > 0 ? "mass" : "density", "makes a mass of " + text(density * m.volume) + " kg, which the precision cannot hold");
   }
   const Vec3d moments = principal_frame(m).moments * density;
   if (def.motion == Motion::dynamic && !(fits(moments.x) && fits(moments.y) && fits(moments.z))) {

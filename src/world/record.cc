@@ -1,4 +1,4 @@
-// A recording: header, title, snapshot; then per step: dt, the operations before it, hashes after it.
+// A recording: header, title, snapshot; per step: dt, the operations before it, hashes after it; the number of steps, seal.
 #include <sudar/record.h>
 
 #include "base/hash.h"
@@ -28,12 +28,6 @@ std::vector<std::uint64_t> body_hashes(const Bodies& b) {
   }
   return hashes;
 }
-
-// How a recording ends: so that one that was cut short or damaged is known before it is replayed.
-struct Trailer {
-  std::int64_t steps;
-  std::uint64_t hash;  // of all that stands before it
-};
 
 StepHashes hashes_of(const World::Impl& w) { return {w.stage_hashes, field_hashes(w.bodies), body_hashes(w.bodies)}; }
 
@@ -84,37 +78,34 @@ void Recorder::after_step() {
 }
 
 Bytes Recorder::bytes() const {
-  const Trailer trailer{steps_, hash_bytes(data_.data(), data_.size())};
-  Bytes all = data_;
-  const auto* p = reinterpret_cast<const std::byte*>(&trailer);
-  all.insert(all.end(), p, p + sizeof trailer);
-  return all;
+  Writer w;
+  w.raw(data_.data(), data_.size());
+  w.value(steps_);
+  return w.take_sealed();
 }
 
 Replay::Replay(Bytes recording) : data_(std::move(recording)) {
   Reader r(data_);
-  if (data_.size() < sizeof magic + sizeof version + sizeof(Trailer) || r.value<std::uint64_t>() != magic) throw Error("recording", "is not a recording");
+  if (r.left() < sizeof magic || r.value<std::uint64_t>() != magic) throw Error("recording", "is not a recording");
   if (const auto v = r.value<std::uint32_t>(); v != version) {
     throw Error("version", "is " + std::to_string(v) + ", this program reads " + std::to_string(version));
   }
-  const std::size_t size = data_.size() - sizeof(Trailer);
-  Trailer trailer;
-  std::memcpy(&trailer, data_.data() + size, sizeof trailer);
-  if (trailer.hash != hash_bytes(data_.data(), size)) throw Error("recording", "is cut short or damaged");
-  steps_ = trailer.steps;
+  data_.resize(unseal(data_).size());
+  r = Reader(data_, r.position());
   title_ = r.text();
   Bytes snapshot;
   r.array(snapshot);
   world_.load(snapshot);
   world_.impl().recording = true;  // for the stages' hashes
   position_ = r.position();
+  steps_ = Reader(data_, data_.size() - sizeof steps_).value<std::int64_t>();
 }
 
 bool Replay::done() const { return next_ >= steps_; }
 
 std::optional<Divergence> Replay::step(bool check) {
   if (done()) throw Error("recording", "has no more steps");
-  Reader r(std::span<const std::byte>(data_).subspan(position_, data_.size() - sizeof(Trailer) - position_));
+  Reader r(data_, position_);
   const auto dt = r.value<double>();
   for (std::size_t n = r.count(1); n > 0; --n) {
     Operation op;
@@ -123,7 +114,7 @@ std::optional<Divergence> Replay::step(bool check) {
   }
   StepHashes was;
   read(r, was);
-  position_ += r.position();
+  position_ = r.position();
   world_.impl().log.clear();
   world_.step(dt);
   ++next_;

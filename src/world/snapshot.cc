@@ -1,6 +1,7 @@
 // Save, load, hash. A snapshot is a header, the geometry, then the state in the order below; the hash is of the state.
 #include "base/hash.h"
 #include "world/impl.h"
+#include "world/validate.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -52,20 +53,7 @@ void World::Impl::read_state(Reader& r) {
   steps = r.value<std::int64_t>(), clock_start = r.value<double>(), clock_step = r.value<double>();
   clock_steps = r.value<std::int64_t>();
   if (r.left() != 0) throw Error("data", "goes on after its end");
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    if (bodies.geometry[i] >= geometry.size()) throw Error("data", "names a geometry that it does not hold");
-  }
-  for (const PairRow& row : pairs) {
-    if (row.key.a >= bodies.size() || row.key.b >= bodies.size() || row.manifold.count < 0 || row.manifold.count > 4 ||
-        (row.row != no_row && !contacts.slots.used(row.row))) {
-      throw Error("data", "holds a contact of bodies that it does not hold");
-    }
-  }
-  for (std::uint32_t j = 0; j < joints.size(); ++j) {
-    for (const std::uint32_t body : {joints.a[j], joints.b[j]}) {
-      if (body != no_body && body >= bodies.size()) throw Error("data", "joins bodies that it does not hold");
-    }
-  }
+  check_state();
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     Proxy& p = proxies[i];
     p.filter = bodies.filter[i];
@@ -73,6 +61,64 @@ void World::Impl::read_state(Reader& r) {
     p.present = bodies.slots.used(i) && bodies.quarantined[i] == 0 && !is_half_space(i);
   }
   rebuild();
+}
+
+namespace {
+
+[[noreturn]] void bad(const char* reason) { throw Error("data", reason); }
+
+void check_body(const World::Impl& w, std::uint32_t i) {
+  const Bodies& b = w.bodies;
+  if (b.geometry[i] >= w.geometry.size()) bad("names a geometry that it does not hold");
+  if (!b.slots.used(i)) return;
+  if (int(b.motion[i]) >= count_of(b.motion[i])) bad("holds a body whose motion is unknown");
+  if (b.motion[i] != Motion::fixed && w.is_half_space(i)) bad("holds a half space that moves");
+  if (b.motion[i] != Motion::dynamic && b.inverse_mass[i] != 0) bad("holds a fixed body that moves");
+  const bool finite = is_finite(b.position[i]) && is_finite(b.orientation[i]) && is_finite(b.velocity[i]) &&
+                      is_finite(b.angular_momentum[i]) && is_finite(b.spin[i]);
+  if (!finite || !is_finite(w.proxies[i].box.low) || !is_finite(w.proxies[i].box.high)) bad("holds a body that is nowhere");
+}
+
+void check_pairs(const World::Impl& w) {
+  std::vector<std::uint8_t> taken(w.contacts.slots.size(), 0);
+  const ProxyPair* before = nullptr;
+  for (const PairRow& row : w.pairs) {
+    const auto [a, b] = row.key;
+    if (a >= b || !w.bodies.slots.used(a) || !w.bodies.slots.used(b) || (before != nullptr && !(*before < row.key))) {
+      bad("holds a contact of bodies that it does not hold");
+    }
+    before = &row.key;
+    const bool touching = (row.manifold.bits & Manifold::touching) != 0;
+    if (row.manifold.count < 0 || row.manifold.count > 4 || touching != (row.row != no_row)) bad("holds a broken contact");
+    if (row.row == no_row) continue;
+    if (!w.contacts.slots.used(row.row) || taken[row.row]++ != 0) bad("holds a broken contact");
+  }
+}
+
+}
+
+// Whoever writes a snapshot by hand gets an Error, and no world that reads or loops where it must not.
+void World::Impl::check_state() const {
+  validate("config", config);
+  for (std::uint32_t i = 0; i < bodies.size(); ++i) check_body(*this, i);
+  check_pairs(*this);
+  for (std::uint32_t j = 0; j < joints.size(); ++j) {
+    if (!joints.slots.used(j)) continue;
+    for (const std::uint32_t body : {joints.a[j], joints.b[j]}) {
+      if (body != no_body && !bodies.slots.used(body)) bad("joins bodies that it does not hold");
+    }
+  }
+  for (std::uint32_t f = 0; f < forces.slots.size(); ++f) {
+    const auto* thruster = std::get_if<Thruster>(&forces.definition[f]);
+    if (forces.slots.used(f) && thruster != nullptr && !bodies.slots.alive(thruster->body)) bad("pushes a body that it does not hold");
+  }
+  if (sensor_memory.size() != sensors.size()) bad("has arrays of different lengths");
+  for (std::uint32_t s = 0; s < sensor_slots.size(); ++s) {
+    if (!sensor_slots.used(s)) continue;
+    const Body a = sensors[s].a, b = sensors[s].b;
+    if (!bodies.slots.alive(a) || !(b.null() || bodies.slots.alive(b))) bad("measures a body that it does not hold");
+  }
+  if (!std::isfinite(clock_start) || !std::isfinite(clock_step)) bad("has no time");
 }
 
 std::uint64_t World::Impl::hash() const {
@@ -86,7 +132,7 @@ Bytes World::save() const {
   w.value(magic), w.value(version), w.value(precision);
   write(w, impl_->geometry);
   impl_->write_state(w);
-  return w.take();
+  return w.take_sealed();
 }
 
 void World::load(std::span<const std::byte> bytes) {
@@ -98,6 +144,7 @@ void World::load(std::span<const std::byte> bytes) {
   if (const auto p = r.value<std::uint32_t>(); p != precision) {
     throw Error("precision", std::string("is ") + (p == 4 ? "float" : "double") + ", this program has the other one");
   }
+  r = Reader(unseal(bytes), r.position());
   auto fresh = std::make_unique<Impl>(Config{});
   read(r, fresh->geometry);
   fresh->read_state(r);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "base/timer.h"
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -239,7 +240,7 @@ void sense(World::Impl& w, double dt) {
 void World::Impl::step(double dt) {
   const double simulated = dt * double(config.time_factor), sub_step = simulated / config.substeps;
   if (!(sub_step > 0) || !std::isnormal(Real(sub_step))) {
-    throw Error("dt", "makes a sub-step of " + std::to_string(sub_step) + " s, which the precision cannot hold");
+    throw Error("dt", "makes a sub-step of " + text(sub_step) + " s, which the precision cannot hold");
   }
   events = {};
   report = {};

@@ -4,6 +4,7 @@
 #include <sudar/definitions.h>
 
 #include "base/archive.h"
+#include "base/text.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -29,7 +30,7 @@ class Validator {
   template <class T>
     requires std::is_arithmetic_v<T>
   void operator()(const char* name, const T& x, const OrInfinite&) {
-    if (!(double(x) >= 0)) fail(name, "is " + std::to_string(x) + ", must not be negative (infinite is allowed)");
+    if (!(double(x) >= 0)) fail(name, "is " + text(double(x)) + ", must not be negative (infinite is allowed)");
   }
   template <class T>
     requires std::is_arithmetic_v<T>
@@ -47,7 +48,7 @@ class Validator {
     if (!is_finite(v)) fail(name, "is not finite");
   }
   void operator()(const char* name, const Vec3& v, const UnitLength&) {
-    if (!is_finite(v) || abs(length(v) - 1) > Real(1e-3)) fail(name, "must have length 1, has " + std::to_string(length(v)));
+    if (!is_finite(v) || abs(length(v) - 1) > Real(1e-3)) fail(name, "must have length 1, has " + text(double(length(v))));
   }
   void operator()(const char* name, const Quat& q, const UnitLength&) {
     if (!is_finite(q) || abs(sqrt(length_squared(q)) - 1) > Real(1e-3)) fail(name, "must be a unit quaternion");
@@ -78,11 +79,11 @@ class Validator {
   void number(const char* name, double x, const Range& range) const {
     if (std::isnan(x) || std::isinf(x)) fail(name, "is not finite");
     if (x < range.low || x > range.high || (range.above && x == range.low)) {
-      fail(name, "is " + std::to_string(x) + ", must be " + text(range));
+      fail(name, "is " + text(double(x)) + ", must be " + allowed(range));
     }
   }
-  static std::string text(const Range& r) {
-    const std::string low = std::to_string(r.low), high = std::to_string(r.high);
+  static std::string allowed(const Range& r) {
+    const std::string low = text(r.low), high = text(r.high);
     if (r.high == infinite) return r.above ? "above " + low : "at least " + low;
     return "within " + low + " and " + high;
   }

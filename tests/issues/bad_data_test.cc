@@ -1,4 +1,6 @@
 // Data that was taken and led to NaN or to the wrong thing: each comes back as an Error that names the field.
+#include <sudar/session.h>
+
 #include <functional>
 
 #include "unit/worlds.h"
@@ -65,6 +67,20 @@ TEST(BadData, RaysThatAreNone) {
   EXPECT_THROW(w.ray_cast({-2, 0, 0}, {1, 0, 0}, Real(std::nan(""))), Error);
   EXPECT_THROW(w.ray_cast({-2, 0, 0}, {1, 0, 0}, -1), Error);
   EXPECT_TRUE(w.ray_cast({-2, 0, 0}, {1, 0, 0}, std::numeric_limits<Real>::infinity()));
+}
+
+// Converted to an integer without a look at its size: whatever the processor makes of it.
+TEST(BadData, SettingsThatNoIntegerHolds) {
+  Config c;
+  for (const char* value : {"1e99", "-1e99", "nan", "inf", "2147483648"}) {
+    EXPECT_THROW(set_field(c, "substeps", value), Error) << value;
+  }
+  EXPECT_THROW(set_field(c, "dt", "nan"), Error);
+}
+
+// A key without a name was held.
+TEST(BadData, KeysWithoutAName) {
+  for (const char* script : {"0:up+", "0:+up", "0:up++left"}) EXPECT_THROW(KeyScript{script}, Error) << script;
 }
 
 }

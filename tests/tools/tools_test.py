@@ -9,6 +9,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import functions
 import layers
+import state_index
 
 GOOD = {
     "CMakeLists.txt": "add_subdirectory(src/base)\nadd_subdirectory(src/math)\n",
@@ -102,6 +103,24 @@ enum class E { x, y };
     def test_counts_lines(self):
         text = "int f() {\n" + "  g();\n" * 200 + "}\n"
         self.assertEqual([last - first + 1 for first, last, _ in functions.functions(text)], [202])
+
+
+class StateIndex(unittest.TestCase):
+    def fields(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "src" / "dynamics" / "fields.def"
+            path.parent.mkdir(parents=True)
+            path.write_text(text)
+            return state_index.fields(pathlib.Path(folder))
+
+    def test_reads_a_field(self):
+        found, complaints = self.fields('FIELD(std::uint8_t, asleep, "1", "sleep")  // not computed\n#undef FIELD\n')
+        self.assertEqual(found, {"FIELD": [("asleep", "uint8", "1", "sleep", "not computed")]})
+        self.assertEqual(complaints, [])
+
+    def test_a_field_without_meaning(self):
+        _, complaints = self.fields('\nFIELD(Pos, position, "m", "solve")\n')
+        self.assertEqual(complaints, ["src/dynamics/fields.def:2: not FIELD(type, name, unit, stage) // meaning"])
 
 
 class Globals(unittest.TestCase):
