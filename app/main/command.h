@@ -21,7 +21,8 @@ void add_replay(CLI::App&, Action& chosen);
 void add_bench(CLI::App&, Action& chosen);
 void add_verify(CLI::App&, Action& chosen);
 
-// Without a sub-command: runs the scenario, or all of them, and draws a picture of each into out/.
-int make_gallery(const Catalogue&, const std::string& scene);
+// Without a sub-command and for that reason without a window: runs the scenario, or all of them, and draws a picture of
+// each into out/.
+int make_gallery(const Catalogue&, const std::string& scene, const std::string& reason);
 
 }

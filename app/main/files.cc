@@ -1,6 +1,7 @@
 #include "main/files.h"
 
 #include <cstdio>
+#include <filesystem>
 
 namespace sudar::app {
 
@@ -34,6 +35,15 @@ void write_file(const std::string& path, std::span<const std::byte> bytes) {
     throw Error(path, "cannot be written");
   }
   rename_to(partial, path);
+}
+
+std::string unused_name(const std::string& stem, const std::string& extension) {
+  std::error_code error;
+  std::filesystem::create_directories("out", error);
+  if (error) throw Error("out", "the folder cannot be made (" + error.message() + ")");
+  std::string name = "out/" + stem + extension;
+  for (int i = 2; std::filesystem::exists(name, error); ++i) name = "out/" + stem + "-" + std::to_string(i) + extension;
+  return name;
 }
 
 TextFile::TextFile(std::string path) : path_(std::move(path)), partial_(path_ + ".part"), out_(partial_) {

@@ -57,12 +57,11 @@ Row run_and_draw(const ScenarioEntry& entry, Offscreen& offscreen, const std::fu
 
 }
 
-int make_gallery(const Catalogue& catalogue, const std::string& scene) {
+int make_gallery(const Catalogue& catalogue, const std::string& scene, const std::string& reason) {
   std::vector<const ScenarioEntry*> entries = catalogue.all();
   if (!scene.empty()) entries = {&catalogue.find(scene)};
-  const bool display = std::getenv("DISPLAY") || std::getenv("WAYLAND_DISPLAY");
-  std::printf("%s: drawing into the folder %s/ instead.\nSee sudar --help for what else there is.\n\n",
-              display ? "There is no window in this version" : "There is no display here", folder);
+  std::printf("%s: drawing into the folder %s/ instead.\nSee sudar --help for what else there is.\n\n", reason.c_str(),
+              folder);
   std::printf("scene              simulated    steps   µs/step  checks  picture\n");
   std::fflush(stdout);
   std::error_code error;

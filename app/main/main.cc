@@ -4,6 +4,10 @@
 #include <cstdio>
 
 #include "main/command.h"
+#include "main/scene_options.h"
+#ifdef SUDAR_WINDOW
+#include "ui/app.h"
+#endif
 
 using namespace sudar;
 using namespace sudar::app;
@@ -12,13 +16,44 @@ namespace {
 
 constexpr int bad_usage = 2;
 
+struct WindowOptions {
+  std::string scene, size = "1280x720", status;
+};
+
+// The window, or why there is none.
+std::optional<int> open_window(const Catalogue& catalogue, const WindowOptions& o, std::string& reason) {
+#ifdef SUDAR_WINDOW
+  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) {
+    reason = "There is no display here";
+    return {};
+  }
+  const auto [width, height] = parse_size(o.size);
+  try {
+    return ui::run_window(catalogue, {o.scene, width, height, o.status});
+  } catch (const Error& e) {
+    if (e.field != "window") throw;
+    reason = std::string("No ") + e.what();
+    return {};
+  }
+#else
+  static_cast<void>(catalogue), static_cast<void>(o);
+  reason = "This program was built without its window";
+  return {};
+#endif
+}
+
 int start(int argc, char** argv) {
   CLI::App app("Sudar: an impulse-based simulator of rigid bodies", "sudar");
-  std::string scene, folder;
+  std::string folder;
+  WindowOptions window;
   Action chosen;
   app.set_version_flag("--version", std::string("sudar ") + SUDAR_VERSION + (sizeof(Real) == 4 ? " float" : " double"));
   app.add_option("--scenarios", folder, "folder of the scenario plugins; else $SUDAR_SCENARIOS or ../lib/scenarios");
-  app.add_option("scene", scene, "without a sub-command: draw this scenario, or all, into out/");
+  app.add_option(
+      "scene", window.scene,
+      "without a sub-command: open the window on this scenario; without a display draw it, or all, into out/");
+  app.add_option("--size", window.size, "WIDTHxHEIGHT of the window")->capture_default_str();
+  app.add_option("--status", window.status, "a file in which the window tells its state as JSON, for scripts");
   app.require_subcommand(0, 1);
   add_list(app, chosen);
   add_run(app, chosen);
@@ -31,7 +66,10 @@ int start(int argc, char** argv) {
   } catch (const CLI::ParseError& e) { return app.exit(e) == 0 ? 0 : bad_usage; }
   const Plugins plugins(folder);
   for (const std::string& line : plugins.refused()) std::fprintf(stderr, "sudar: %s\n", line.c_str());
-  return chosen ? chosen(plugins.catalogue()) : make_gallery(plugins.catalogue(), scene);
+  if (chosen) return chosen(plugins.catalogue());
+  std::string reason;
+  const std::optional<int> code = open_window(plugins.catalogue(), window, reason);
+  return code ? *code : make_gallery(plugins.catalogue(), window.scene, reason);
 }
 
 }

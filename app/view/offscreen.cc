@@ -2,10 +2,9 @@
 
 #include <epoxy/egl.h>
 
-#include <algorithm>
 #include <stdexcept>
 
-#include "view/gl.h"
+#include "view/canvas.h"
 
 namespace sudar::view {
 
@@ -51,17 +50,6 @@ class Context {
   EGLContext context_ = EGL_NO_CONTEXT;
 };
 
-struct Canvas {
-  int width, height;
-  gl::Texture colour;
-  gl::Framebuffer framebuffer;
-  Canvas(int w, int h)
-      : width(w),
-        height(h),
-        colour(gl::make_texture(gl::picture_format, w, h, GL_NEAREST)),
-        framebuffer(gl::make_framebuffer(colour, 0)) {}
-};
-
 }
 
 struct Offscreen::Impl {
@@ -75,18 +63,9 @@ Offscreen::~Offscreen() = default;
 
 Image Offscreen::picture(const Scene& scene, const Camera& camera, const Style& style, int width, int height) {
   std::optional<Canvas>& canvas = impl_->canvas;
-  if (!canvas || canvas->width != width || canvas->height != height) canvas.emplace(width, height);
-  impl_->renderer.draw(scene, camera, style, {canvas->framebuffer, width, height});
-  Image image{width, height, std::vector<std::uint8_t>(std::size_t(4) * std::size_t(width) * std::size_t(height))};
-  glBindFramebuffer(GL_FRAMEBUFFER, canvas->framebuffer);
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-  const auto row = std::ptrdiff_t(4) * width;  // OpenGL's rows run from bottom to top
-  for (int y = 0; y < height / 2; ++y) {
-    const auto top = image.rgba.begin() + y * row;
-    std::swap_ranges(top, top + row, image.rgba.begin() + (height - 1 - y) * row);
-  }
-  return image;
+  if (!canvas || canvas->width() != width || canvas->height() != height) canvas.emplace(width, height);
+  impl_->renderer.draw(scene, camera, style, canvas->target());
+  return canvas->read();
 }
 
 IdImage Offscreen::ids(const Scene& scene, const Camera& camera, int width, int height) {

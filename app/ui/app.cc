@@ -1,0 +1,146 @@
+#include "ui/app.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <future>
+
+#include "main/files.h"
+#include "ui/hand.h"
+#include "ui/panels.h"
+#include "ui/status.h"
+#include "ui/window.h"
+#include "view/canvas.h"
+
+namespace sudar::ui {
+
+using namespace view;
+
+namespace {
+
+class App {
+ public:
+  App(const Catalogue& catalogue, const Options& options)
+      : window_(options.width, options.height, "Sudar"), controls_(catalogue, simulation_), status_(options.status) {}
+
+  void loop() {
+    Clock::time_point last = Clock::now();
+    while (!window_.closing()) {
+      const double due = frame_length() - std::chrono::duration<double>(Clock::now() - last).count();
+      take(window_.wait(std::max(0.0, due)));
+      const double passed = std::chrono::duration<double>(Clock::now() - last).count();
+      if (passed < frame_length() && events_left_ == 0) continue;
+      last = Clock::now();
+      hand_.fly(passed);
+      draw();
+      frame_ += 0.1 * (passed - frame_);
+      serve();
+    }
+  }
+  void start(const ScenarioEntry& entry) { controls_.start(entry); }
+
+ private:
+  // 60 pictures a second; where nothing moves, 10.
+  double frame_length() const { return controls_.view().paused && events_left_ == 0 ? 0.1 : 1.0 / 60; }
+
+  void take(const std::vector<InputEvent>& events) {
+    // A panel needs a few pictures to answer an event.
+    if (!events.empty()) events_left_ = 4;
+    for (const InputEvent& e : events) hand_.take(e, area_);
+  }
+
+  void draw() {
+    controls_.look(simulation_.view(), double(area_.width) / std::max(1, area_.height));
+    window_.begin_frame();
+    area_ = panels_.draw(window_.width(), window_.height(), 1 / frame_);
+    events_left_ = std::max(0, events_left_ - 1);
+    if (area_.width > 0 && area_.height > 0 && controls_.moment()) {
+      if (!canvas_ || canvas_->width() != area_.width || canvas_->height() != area_.height) {
+        canvas_.emplace(area_.width, area_.height);
+      }
+      const Scene scene = marked(controls_.scene);
+      Style style = controls_.style;
+      style.samples = frame_ > 0.05 ? 1 : 2;
+      renderer_.draw(scene, controls_.camera.camera(), style, canvas_->target());
+      canvas_->show(area_.x, window_.height() - area_.y - area_.height);
+    }
+    window_.end_frame();
+  }
+
+  // The scene with the selected body and the spring that pulls it.
+  Scene marked(Scene scene) const {
+    for (Instance& i : scene.instances) {
+      if (!i.body.null() && i.body == controls_.selected) i.colour = i.colour * 0.4f + Vec3f{0.9f, 0.5f, 0.05f} * 0.6f;
+    }
+    const Moment& m = *controls_.moment();
+    if (m.spring) scene.links.push_back({m.spring->from, m.spring->to, float(0.006 * controls_.focus.radius)});
+    return scene;
+  }
+
+  // What was asked of the program itself.
+  void serve() {
+    if (std::exchange(controls_.wants_fullscreen, false)) window_.toggle_fullscreen();
+    if (std::exchange(controls_.wants_screenshot, false)) screenshot();
+    if (controls_.wants_quit) window_.close();
+    const Moment* m = controls_.moment();
+    if (m && m->run != titled_) window_.set_title(std::string("Sudar: ") + m->entry->place), titled_ = m->run;
+    status_.write(controls_, 1 / frame_);
+  }
+
+  // The picture without the panels, as it is shown.
+  void screenshot() {
+    if (!canvas_ || !controls_.moment()) return;
+    try {
+      std::promise<PngText> promise;
+      auto text = promise.get_future();
+      // The run's own account, taken between two steps: it is at most one step ahead of the picture.
+      simulation_.post([&](Run& r) { promise.set_value(app::provenance(r.playback())); });
+      const std::string file = app::unused_name(controls_.moment()->entry->name, ".png");
+      write_png(file, canvas_->read(), text.get());
+      simulation_.say("Picture: " + file);
+    } catch (const std::exception& e) { simulation_.say(e.what()); }
+  }
+
+  Body pick(int x, int y) {
+    if (!controls_.moment() || x < 0 || y < 0 || x >= area_.width || y >= area_.height) return {};
+    const std::uint32_t id =
+        renderer_.ids(controls_.scene, controls_.camera.camera(), area_.width, area_.height).at(x, y);
+    if (id == 0 || id > controls_.scene.instances.size()) return {};
+    const Instance& i = controls_.scene.instances[id - 1];
+    return controls_.scene.shapes[i.shape].kind() == ShapeKind::half_space ? Body{} : i.body;
+  }
+
+  Window window_;  // first: all that draws needs its context
+  Renderer renderer_;
+  std::optional<Canvas> canvas_;
+  Simulation simulation_;
+  Controls controls_;
+  Panels panels_{controls_};
+  Hand hand_{controls_, [this](int x, int y) { return pick(x, y); }};
+  StatusFile status_;
+  Area area_;
+  double frame_ = 1.0 / 60;  // s, smoothed
+  int events_left_ = 0;
+  std::int64_t titled_ = 0;
+};
+
+const ScenarioEntry& first_scene(const Catalogue& catalogue, const std::string& asked) {
+  if (!asked.empty()) return catalogue.find(asked);
+  if (catalogue.all().empty()) throw Error("scene", "there are no scenarios");
+  for (const ScenarioEntry* e : catalogue.all()) {
+    if (std::string_view(e->name) == "wall") return *e;
+  }
+  return *catalogue.all().front();
+}
+
+}
+
+int run_window(const Catalogue& catalogue, const Options& options) {
+  const ScenarioEntry& entry = first_scene(catalogue, options.scene);
+  App app(catalogue, options);
+  app.start(entry);
+  app.loop();
+  return 0;
+}
+
+}

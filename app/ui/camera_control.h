@@ -1,0 +1,29 @@
+// The mouse's camera: turns round a target, slides, comes closer, flies.
+#pragma once
+
+#include "ui/run.h"
+#include "view/camera.h"
+
+namespace sudar::ui {
+
+class CameraControl {
+ public:
+  const Camera& camera() const { return camera_; }
+  void set(const Camera& c) { camera_ = c; }
+
+  // Mouse movements in pixels of a picture of that height.
+  void orbit(double dx, double dy);
+  void pan(double dx, double dy, double height);
+  void zoom(double clicks, const Ray& towards);  // what the ray shows stays under the mouse
+  void fly(const Vec3& way, double seconds);     // right, up, forward, each −1…1
+  void look(double dx, double dy);               // turns the head
+  void look_at(const Pos&);                      // slides there
+  void frame(const Pos& centre, double radius);
+
+  Ray ray(double x, double y, double width, double height) const;  // through a pixel; y from the top
+
+ private:
+  Camera camera_{.eye = {0, 2, 10}, .target = {}};
+};
+
+}

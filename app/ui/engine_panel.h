@@ -1,0 +1,10 @@
+// Step, sub-steps, broad phase and solver as widgets, made from the list that describes them (definitions.h).
+#pragma once
+
+#include <sudar/definitions.h>
+
+namespace sudar::ui {
+
+bool edit_config(Config&);  // was anything changed?
+
+}

@@ -1,0 +1,51 @@
+#include "ui/status.h"
+
+#include <nlohmann/json.hpp>
+
+#include "main/files.h"
+
+namespace sudar::ui {
+
+void StatusFile::write(const Controls& c, double frames_per_second) {
+  const Clock::time_point now = Clock::now();
+  if (path_.empty() || !c.moment() || now - last_ < std::chrono::milliseconds(100)) return;
+  last_ = now;
+  const Moment& m = *c.moment();
+  const View& v = c.view();
+  const Camera& camera = c.camera.camera();
+  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+  for (const Params::Entry& p : m.params) parameters[p.name] = p.value;
+  const nlohmann::ordered_json j = {
+      {"scene", m.entry->name},
+      {"run", m.run},
+      {"steps", m.steps},
+      {"time", m.time},
+      {"paused", v.paused},
+      {"speed", v.speed},
+      {"rate", v.rate},
+      {"bodies", m.bodies},
+      {"contacts", m.contacts},
+      {"energy", m.energy.total()},
+      {"parameters", parameters},
+      {"selected", c.selected.null() ? -1 : std::int64_t(c.selected.index)},
+      {"selected_at",
+       m.selected ? nlohmann::ordered_json{m.selected->at.x, m.selected->at.y, m.selected->at.z} : nullptr},
+      {"dragging", m.spring.has_value()},
+      {"recording", m.recording},
+      {"eye", {camera.eye.x, camera.eye.y, camera.eye.z}},
+      {"follow", c.follow},
+      {"panels", c.panels},
+      {"help", c.help},
+      {"contacts_shown", c.style.contacts},
+      {"joints_shown", c.style.joints},
+      {"axes_shown", c.style.axes},
+      {"wireframe", c.style.wireframe},
+      {"message", v.message},
+      {"fps", frames_per_second},
+  };
+  app::TextFile file(path_);
+  file.out() << j.dump() << '\n';
+  file.commit();
+}
+
+}
