@@ -191,7 +191,7 @@ std::uint32_t BoxTree::build(std::span<std::uint32_t> leaves, std::uint32_t leve
 // spread most; the split between bins with the smallest sum of area × leaves wins. Order within the halves means
 // nothing.
 std::size_t BoxTree::split(std::span<std::uint32_t> leaves, std::uint32_t levels) const {
-  constexpr int bins = 16;
+  constexpr std::size_t bins = 16;
   const std::size_t n = leaves.size(), most = levels < 32 ? std::size_t(1) << levels : n;
   Pos low = nodes_[leaves[0]].box.low, high = low;
   for (int k = 0; k < 3; ++k) low[k] = high[k] = center(nodes_[leaves[0]].box, k);
@@ -208,34 +208,34 @@ std::size_t BoxTree::split(std::span<std::uint32_t> leaves, std::uint32_t levels
   const double bins_per_length = bins / (high[axis] - low[axis]);
   const auto bin_of = [&](std::uint32_t leaf) {
     const double b = (center(nodes_[leaf].box, axis) - low[axis]) * bins_per_length;
-    return b >= 0 ? int(min(b, double(bins - 1))) : 0;
+    return b >= 0 ? std::size_t(min(b, double(bins - 1))) : 0;
   };
 
   std::array<Box, bins> box;
   std::array<std::size_t, bins> count{};
   for (const std::uint32_t leaf : leaves) {
-    const int b = bin_of(leaf);
+    const std::size_t b = bin_of(leaf);
     box[b] = count[b]++ == 0 ? nodes_[leaf].box : join(box[b], nodes_[leaf].box);
   }
   // Cost of the bins up to and including b, then of those after it.
   std::array<double, bins> cost{};
   std::array<std::size_t, bins> before{};
-  const auto add_costs = [&](int first, int last, int step, auto add) {
+  const auto add_costs = [&](std::size_t first, std::size_t last, int step, auto add) {
     Box all{};
     std::size_t sum = 0;
-    for (int b = first; b != last; b += step) {
+    for (std::size_t b = first; b != last; b += std::size_t(step)) {
       if (count[b] > 0) all = sum == 0 ? box[b] : join(all, box[b]), sum += count[b];
       add(b, sum, sum == 0 ? 0 : area(all) * double(sum));
     }
   };
-  add_costs(0, bins, 1, [&](int b, std::size_t sum, double c) { before[b] = sum, cost[b] += c; });
-  add_costs(bins - 1, 0, -1, [&](int b, std::size_t, double c) { cost[b - 1] += c; });
-  int best = -1;
-  for (int b = 0; b + 1 < bins; ++b) {
+  add_costs(0, bins, 1, [&](std::size_t b, std::size_t sum, double c) { before[b] = sum, cost[b] += c; });
+  add_costs(bins - 1, 0, -1, [&](std::size_t b, std::size_t, double c) { cost[b - 1] += c; });
+  std::size_t best = bins;
+  for (std::size_t b = 0; b + 1 < bins; ++b) {
     const bool fits = before[b] > 0 && before[b] < n && before[b] <= most && n - before[b] <= most;
-    if (fits && (best < 0 || cost[b] < cost[best])) best = b;
+    if (fits && (best == bins || cost[b] < cost[best])) best = b;
   }
-  if (best >= 0) {
+  if (best < bins) {
     std::partition(leaves.begin(), leaves.end(), [&](std::uint32_t leaf) { return bin_of(leaf) <= best; });
     return before[best];
   }
