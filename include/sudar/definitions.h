@@ -340,7 +340,7 @@ struct Config {
   Integrator integrator = Integrator::symplectic_euler;
   double dt = 1.0 / 60;        // s, of World::step()
   std::int32_t substeps = 4;
-  bool sleep = true;           // quiet islands stop being computed
+  bool sleep = true;           // quiet islands that touch or hang on something stop being computed
   Real length_unit = 1;        // how many units of length a metre has: 1000 for a scene in millimetres
   Real time_factor = 1;        // k of thesis (3.4): simulated seconds per second of step
   Mix friction_mix = Mix::geometric, restitution_mix = Mix::max;

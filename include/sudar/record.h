@@ -8,14 +8,16 @@ namespace sudar::inline SUDAR_PRECISION {
 
 class Recorder {
  public:
-  Recorder(World&, std::string title);  // starts now: operations on the world are kept from here on
+  // Starts now: operations on the world are kept from here on. The world may be moved, and must outlive the recorder;
+  // meanwhile it refuses load().
+  Recorder(World&, std::string title);
   ~Recorder();                          // stops
   Recorder(const Recorder&) = delete;
   void after_step();                    // call once after every World::step
   Bytes bytes() const;                  // the recording so far: what a file holds
 
  private:
-  World& world_;
+  World::Impl& world_;
   Bytes data_;
   std::int64_t steps_ = 0;
 };

@@ -22,7 +22,7 @@ using Bytes = std::vector<std::byte>;
 
 // What the last step reported, in an order that does not depend on machine, broad phase or threads.
 struct Events {
-  struct Touch {  // two bodies that began or ceased to touch
+  struct Touch {  // two bodies that began or ceased to touch (not by being removed: then the handle is dead)
     Body a, b;
   };
   struct Hit {  // an impact

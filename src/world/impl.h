@@ -111,7 +111,7 @@ struct World::Impl {
   void drop_pairs(std::uint32_t body);               // forgets what it touches, and wakes that
   void release(const EndedPair&);                    // of the pair table: its contact row goes, its bodies wake
   void wake_island(std::uint32_t body);
-  void wake_around(std::uint32_t body);              // what sleeps where a body that does not move was put
+  void wake_around(std::uint32_t body);              // what sleeps where a still body was put, and what hangs on it
   void wake_all();
   void list_never_touch();
   void rebuild();                                    // everything that is a function of the state

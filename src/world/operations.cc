@@ -157,6 +157,12 @@ void World::Impl::perform(const Wake& op) {
 
 namespace {
 
+void validate_limit(const Limit& limit, const std::string& field) {
+  if (limit.low > limit.high) throw Error(field + ".low", "is above limit.high");
+  if (limit.low > 0 && std::isinf(limit.low)) throw Error(field + ".low", "is infinite: nothing meets it");
+  if (limit.high < 0 && std::isinf(limit.high)) throw Error(field + ".high", "is minus infinite: nothing meets it");
+}
+
 // An anchor must be a finite arm in this precision, seen from the body that it is on.
 void validate_anchors(const std::string& kind, const JointDef& def, const Bodies& bodies) {
   const auto check = [&](const char* name, Body body, const Pos& at) {
@@ -185,17 +191,11 @@ Joint World::Impl::perform(const AddJoint& op) {
   validate_anchors(kind, op.def, bodies);
   const bool moves = (!a.null() && bodies.dynamic(a.index)) || (!b.null() && bodies.dynamic(b.index));
   if (!moves) throw Error(field("a"), "and b are both unable to move: nothing to join");
-  if (const Drive* drive = drive_of(op.def); drive != nullptr) {
-    const Limit limit = std::visit(
-        [](const auto& d) {
-          if constexpr (requires { d.limit; }) return d.limit;
-          else return Limit{};
-        },
-        op.def);
-    if (limit.low > limit.high) throw Error(field("limit.low"), "is above limit.high");
-    if (limit.low > 0 && std::isinf(limit.low)) throw Error(field("limit.low"), "is infinite: nothing meets it");
-    if (limit.high < 0 && std::isinf(limit.high)) throw Error(field("limit.high"), "is minus infinite: nothing meets it");
-  }
+  std::visit(
+      [&](const auto& d) {
+        if constexpr (requires { d.limit; }) validate_limit(d.limit, field("limit"));
+      },
+      op.def);
   if (const auto* bar = std::get_if<Bar>(&op.def); bar != nullptr && bar->at_a == bar->at_b) {
     throw Error("bar.at_b", "is the same point as at_a: use a ball joint");
   }
@@ -320,14 +320,18 @@ void World::Impl::wake_island(std::uint32_t i) {
   }
 }
 
-// Of a body that was put where it is: nobody moves, so nobody would look whom it met there. (A dynamic one is awake, and
-// meets whom it meets.)
+// A body that does not move wakes nobody by moving. (A dynamic one is awake, and meets whom it meets.)
 void World::Impl::wake_around(std::uint32_t i) {
   if (bodies.dynamic(i)) return;
   const auto plane = std::find_if(planes.begin(), planes.end(), [&](const PlaneProxy& p) { return p.proxy == i; });
   for (std::uint32_t k = 0; k < bodies.size(); ++k) {
     if (!bodies.slots.used(k) || bodies.asleep[k] == 0) continue;
     if (plane != planes.end() ? may_pair(*plane, proxies[i], proxies[k]) : may_pair(proxies[i], proxies[k])) wake_island(k);
+  }
+  for (std::uint32_t j = 0; j < joints.size(); ++j) {
+    if (!joints.slots.used(j) || !joints.touches(j, i)) continue;
+    const std::uint32_t other = joints.a[j] == i ? joints.b[j] : joints.a[j];
+    if (other != no_body) wake_island(other);
   }
 }
 

@@ -50,30 +50,29 @@ Divergence divergence(std::int64_t step, const StepHashes& was, const StepHashes
 
 }
 
-Recorder::Recorder(World& world, std::string title) : world_(world) {
+Recorder::Recorder(World& world, std::string title) : world_(world.impl()) {
   Writer w;
   w.value(magic), w.value(version);
   w.text(title);
   w.array(world.save());
   data_ = w.take();
-  world.impl().recording = true;
-  world.impl().log.clear();
+  world_.recording = true;
+  world_.log.clear();
 }
 
 Recorder::~Recorder() {
-  world_.impl().recording = false;
-  world_.impl().log.clear();
+  world_.recording = false;
+  world_.log.clear();
 }
 
 void Recorder::after_step() {
-  World::Impl& impl = world_.impl();
   Writer w;
-  w.value(impl.last_dt);
-  w.value(std::uint64_t(impl.log.size()));
-  for (const Operation& op : impl.log) write(w, op);
-  write(w, hashes_of(impl));
+  w.value(world_.last_dt);
+  w.value(std::uint64_t(world_.log.size()));
+  for (const Operation& op : world_.log) write(w, op);
+  write(w, hashes_of(world_));
   data_.insert(data_.end(), w.bytes().begin(), w.bytes().end());
-  impl.log.clear();
+  world_.log.clear();
   ++steps_;
 }
 

@@ -136,6 +136,7 @@ Bytes World::save() const {
 }
 
 void World::load(std::span<const std::byte> bytes) {
+  if (impl_->recording) throw Error("data", "cannot be loaded into a world that is being recorded");
   Reader r(bytes);
   if (r.left() < sizeof magic || r.value<std::uint64_t>() != magic) throw Error("data", "is not a snapshot of a world");
   if (const auto v = r.value<std::uint32_t>(); v != version) {
@@ -148,7 +149,6 @@ void World::load(std::span<const std::byte> bytes) {
   auto fresh = std::make_unique<Impl>(Config{});
   read(r, fresh->geometry);
   fresh->read_state(r);
-  fresh->recording = impl_->recording;
   impl_ = std::move(fresh);
 }
 

@@ -144,5 +144,21 @@ TEST(Recording, BytesSoFar) {
   }
 }
 
+// A world that is recorded may move house, but not be exchanged for another.
+TEST(Recording, FollowsAMovedWorldAndRefusesLoad) {
+  World w(sleepy());
+  w.add(Gravity{});
+  const Body b = w.add(cube({0, 0, 0}));
+  Recorder recorder(w, "");
+  w.step(), recorder.after_step();
+  World moved = std::move(w);
+  EXPECT_THROW(moved.load(moved.save()), Error);
+  moved.push(b, {5, 0, 0}, {0, 0, 0});
+  moved.step(), recorder.after_step();
+  Replay replay(recorder.bytes());
+  while (!replay.done()) EXPECT_FALSE(replay.step());
+  EXPECT_EQ(replay.world().hash(), moved.hash());
+}
+
 }
 }
