@@ -46,6 +46,7 @@ constexpr Binding all[] = {
     {Action::help, GLFW_KEY_SLASH, shift, "", ""},
     {Action::fullscreen, GLFW_KEY_F11, plain, "F11", "Full screen"},
     {Action::screenshot, GLFW_KEY_P, ctrl, "Ctrl+P", "Picture into out/"},
+    {Action::movie, GLFW_KEY_V, plain, "V", "Movie into out/, stop"},
     {Action::record, GLFW_KEY_R, ctrl | shift, "Ctrl+Shift+R", "Record into out/, stop"},
     {Action::cancel, GLFW_KEY_ESCAPE, plain, "Esc", "Cancel: deselect, close the help"},
     {Action::quit, GLFW_KEY_Q, ctrl, "Ctrl+Q", "Quit"},

@@ -33,6 +33,7 @@ enum class Action {
   help,
   fullscreen,
   screenshot,
+  movie,
   record,
   cancel,
   quit,

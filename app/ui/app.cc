@@ -6,6 +6,7 @@
 #include <future>
 
 #include "main/files.h"
+#include "ui/filming.h"
 #include "ui/hand.h"
 #include "ui/panels.h"
 #include "ui/status.h"
@@ -80,25 +81,48 @@ class App {
   // What was asked of the program itself.
   void serve() {
     if (std::exchange(controls_.wants_fullscreen, false)) window_.toggle_fullscreen();
-    if (std::exchange(controls_.wants_screenshot, false)) screenshot();
-    if (controls_.wants_quit) window_.close();
+    if (canvas_ && controls_.moment()) {
+      try {
+        if (std::exchange(controls_.wants_screenshot, false)) screenshot();
+        if (std::exchange(controls_.wants_movie, false)) start_or_finish_movie();
+        film();
+      } catch (const std::exception& e) { simulation_.say(e.what()); }
+    }
+    if (controls_.wants_quit) {
+      if (movie_) start_or_finish_movie();
+      window_.close();
+    }
     const Moment* m = controls_.moment();
     if (m && m->run != titled_) window_.set_title(std::string("Sudar: ") + m->entry->place), titled_ = m->run;
     status_.write(controls_, 1 / frame_);
   }
 
+  // The run's own account, taken between two steps: at most one step ahead of the picture.
+  PngText account() {
+    const auto promise = std::make_shared<std::promise<PngText>>();
+    simulation_.post([promise](Run& r) { promise->set_value(app::provenance(r.playback())); });
+    return promise->get_future().get();
+  }
+
   // The picture without the panels, as it is shown.
   void screenshot() {
-    if (!canvas_ || !controls_.moment()) return;
-    try {
-      std::promise<PngText> promise;
-      auto text = promise.get_future();
-      // The run's own account, taken between two steps: it is at most one step ahead of the picture.
-      simulation_.post([&](Run& r) { promise.set_value(app::provenance(r.playback())); });
-      const std::string file = app::unused_name(controls_.moment()->entry->name, ".png");
-      write_png(file, canvas_->read(), text.get());
-      simulation_.say("Picture: " + file);
-    } catch (const std::exception& e) { simulation_.say(e.what()); }
+    const std::string file = app::unused_name(controls_.moment()->entry->name, ".png");
+    write_png(file, canvas_->read(), account());
+    simulation_.say("Picture: " + file);
+  }
+
+  void start_or_finish_movie() {
+    if (controls_.filming) {
+      controls_.filming = false;
+      return simulation_.say(std::exchange(movie_, nullptr)->finish());
+    }
+    movie_ = std::make_unique<Filming>(app::unused_name(controls_.moment()->entry->name, ".mp4"), *canvas_, account());
+    controls_.filming = true;
+  }
+
+  void film() {
+    if (movie_ && !movie_->fits(*canvas_)) return start_or_finish_movie();  // the window became smaller
+    if (movie_) movie_->add(*canvas_);
   }
 
   Body pick(int x, int y) {
@@ -113,6 +137,7 @@ class App {
   Window window_;  // first: all that draws needs its context
   Renderer renderer_;
   std::optional<Canvas> canvas_;
+  std::unique_ptr<Filming> movie_;
   Simulation simulation_;
   Controls controls_;
   Panels panels_{controls_};

@@ -137,6 +137,9 @@ void Controls::perform(Action action) {
     case Action::screenshot:
       wants_screenshot = true;
       return;
+    case Action::movie:
+      wants_movie = true;
+      return;
     case Action::record:
       return toggle_recording();
     case Action::cancel:

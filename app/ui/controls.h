@@ -40,8 +40,10 @@ class Controls {
   Ray pointer{};      // where the mouse points
   Body selected{};
   bool follow = false, panels = true, help = false;
+  bool filming = false;  // told by whoever does it
   // Taken up by whoever can, who then takes them down.
-  bool wants_search = false, wants_fullscreen = false, wants_screenshot = false, wants_quit = false;
+  bool wants_search = false, wants_fullscreen = false, wants_screenshot = false, wants_movie = false,
+       wants_quit = false;
 
  private:
   void neighbour(int way);

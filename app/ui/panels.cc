@@ -52,7 +52,7 @@ void Panels::menu() {
     ImGui::Separator();
     for (const Action a : {Action::previous, Action::next, Action::search}) item(a);
     ImGui::Separator();
-    for (const Action a : {Action::record, Action::screenshot, Action::quit}) item(a);
+    for (const Action a : {Action::record, Action::screenshot, Action::movie, Action::quit}) item(a);
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Edit")) {

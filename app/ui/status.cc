@@ -32,6 +32,7 @@ void StatusFile::write(const Controls& c, double frames_per_second) {
        m.selected ? nlohmann::ordered_json{m.selected->at.x, m.selected->at.y, m.selected->at.z} : nullptr},
       {"dragging", m.spring.has_value()},
       {"recording", m.recording},
+      {"filming", c.filming},
       {"eye", {camera.eye.x, camera.eye.y, camera.eye.z}},
       {"follow", c.follow},
       {"panels", c.panels},

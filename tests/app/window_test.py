@@ -222,6 +222,31 @@ class Window(unittest.TestCase):
         self.assertGreater(height, 500)
         self.assertGreater(len(set(pixels)), 50, "the picture is of one colour")
 
+    def test_movie(self):
+        self.open("cradle")
+        self.key("v")
+        self.until(lambda s: s["filming"], "V films")
+        steps = self.state()["steps"]
+        self.until(lambda s: s["steps"] > steps + 20, "the run goes on")
+        self.key("v")
+        self.until(lambda s: not s["filming"] and s["message"], "V ends the movie")
+        made = os.listdir(os.path.join(self.folder.name, "out"))
+        self.assertTrue(any(name.startswith("cradle") for name in made), made)
+
+    def test_an_edited_parameter_restarts(self):
+        before = self.open("wall")
+        # The slider of "rows", pulled to the left.
+        self.xdotool("mousemove", 51, 373)
+        time.sleep(0.5)
+        self.xdotool("mousedown", 1)
+        time.sleep(0.5)
+        self.xdotool("mousemove", 32, 373)
+        time.sleep(0.5)
+        self.xdotool("mouseup", 1)
+        s = self.until(lambda s: s["run"] == before["run"] + 1, "a new value restarts")
+        self.assertLess(s["parameters"]["rows"], before["parameters"]["rows"])
+        self.assertLess(s["bodies"], before["bodies"])
+
 
 if __name__ == "__main__":
     PROGRAM = os.path.abspath(sys.argv.pop(1))
