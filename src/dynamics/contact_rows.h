@@ -21,6 +21,9 @@ struct PointRow {
   // used once a sub-step
   Real free_speed;             // min(0, depth/h): approach that closes the gap exactly is allowed
   Real start;                  // u_n before collisions, m/s
+  Real aim;                    // u_n that the impact at hand leaves, m/s
+  Real unheld;                 // u_n before the joints had their say, m/s
+  Vec3 blow;                   // impulse of the impact at hand, N s
   Real push = 0;               // accumulated, pseudo
   Real push_target = 0;        // pseudo speed apart, m/s
   Vec3 ra, rb;                 // from the centres of mass, world axes, m
@@ -44,6 +47,7 @@ struct ManifoldRow {
   Mat3 frame;                  // columns: normal from b to a, two tangents
   PairMaterial material;
   TurnRow turn;
+  bool struck, owes;           // took part in a collision; joints took a part of its bounce
   std::array<PointRow, 4> points;
   bool resists_turning() const { return material.rolling > 0 || material.spinning > 0; }
   std::span<PointRow> rows() { return std::span(points).first(count); }

@@ -79,6 +79,7 @@ class SubStep {
     m.contact = contact;
     m.count = std::uint32_t(manifold.count);
     m.material = c.material;
+    m.struck = m.owes = false;
     const Vec3 n = manifold.normal, t = any_perpendicular(n);
     m.frame = {n, t, cross(n, t)};
     const Mat3 to_frame = transpose(m.frame);
@@ -92,11 +93,16 @@ class SubStep {
     }
     const Vec3 to_shape = rotate(bodies_.orientation[c.a], bodies_.shape_frame[c.a].p);
     const Vec3 apart = bodies_.position[c.a] - bodies_.position[c.b];
+    // As far as a body spins about the normal, its arms are those of the middle of the sub-step. With those of the start,
+    // what a turntable carries moves on along the tangent and creeps outward, by ω²rh/2 a second.
+    const Vec3 half_turn_a = n * (dot(n, a.w) * h_ * Real(0.5)), half_turn_b = n * (dot(n, b.w) * h_ * Real(0.5));
     for (std::size_t k = 0; k < m.count; ++k) {
       const ManifoldPoint& from = manifold.points[k];
       PointRow& p = m.points[k] = PointRow{};
       p.ra = from.at + to_shape;
       p.rb = p.ra + apart;
+      p.ra += cross(half_turn_a, p.ra);
+      p.rb += cross(half_turn_b, p.rb);
       prepare_masses(p, to_frame, a, b);
       const Real depth = -from.separation;
       p.free_speed = min(Real(0), depth / h_);
@@ -137,9 +143,11 @@ class SubStep {
     // over: the coming contact passes mend it, no impact does.
     least_ = Real(0.01) * g_ * h_ + Real(1e-6) * fastest_;
     for (int pass = 0; pass < set_.collision_passes; ++pass) {
-      for (JointSolve& j : joints_in_step_) j.stop(body(j.a), body(j.b));
-      report_.joint_passes += std::int64_t(joints_in_step_.size());
+      stop_joints();
       bool approaching = false;
+      for (ManifoldRow& m : manifolds_) {
+        if (m.owes) strike(m), approaching = true;
+      }
       for (ManifoldRow& m : manifolds_) {
         const Moving a(body(m.a)), b(body(m.b));
         bool approaches = false;
@@ -154,12 +162,39 @@ class SubStep {
     }
   }
 
-  // One impact of a manifold: all its points at once, with accumulated impulses that live in this visit only.
+  // Joints take a part of the bounce of bodies that they hold, and the contact owes it: it is struck once more, until
+  // hinged bodies part as fast as free ones. What another contact takes is not owed: so a row of balls passes its speed on.
+  void stop_joints() {
+    if (joints_in_step_.empty()) return;
+    const auto each_struck = [&](auto visit) {
+      for (ManifoldRow& m : manifolds_) {
+        if (!m.struck) continue;
+        const Moving a(body(m.a)), b(body(m.b));
+        for (PointRow& p : m.rows()) visit(m, p, relative_velocity(a, b, m, p)[0]);
+      }
+    };
+    each_struck([&](ManifoldRow&, PointRow& p, Real speed) {
+      p.unheld = speed;
+      if (abs(speed - p.aim) > Real(1e-3) * fastest_) p.aim = speed;
+    });
+    for (JointSolve& j : joints_in_step_) j.stop(body(j.a), body(j.b));
+    report_.joint_passes += std::int64_t(joints_in_step_.size());
+    each_struck([&](ManifoldRow& m, PointRow& p, Real speed) {
+      m.owes |= p.unheld - speed > least_ || (p.blow.x > 0 && speed - p.unheld > least_);
+    });
+  }
+
+  // One impact of a manifold: all its points at once, with accumulated impulses that live in this impact only.
   void strike(ManifoldRow& m) {
     const Moving a0(body(m.a)), b0(body(m.b));
     Moving a = a0, b = b0;
+    std::array<Vec3, 4> blow{};
+    if (m.owes) {
+      for (std::size_t k = 0; k < m.count; ++k) blow[k] = m.points[k].blow;
+    }
     const auto again = [&](Real restitution, Real friction) {
       a = a0, b = b0;
+      for (std::size_t k = 0; k < m.count; ++k) m.points[k].blow = blow[k];
       return impact(m, a, b, restitution, friction);
     };
     // It sticks if it can: only when the static cone does not hold does it slip, under dynamic friction.
@@ -171,26 +206,26 @@ class SubStep {
     }
     if (outcome.made_energy) outcome = again(0, friction);  // friction made energy: take the bounce away instead
     a.store(body(m.a)), b.store(body(m.b));
+    m.struck = true, m.owes = false;
   }
 
   struct Impact {
     bool slips = false, made_energy = false;
   };
   Impact impact(ManifoldRow& m, Moving& a, Moving& b, Real restitution, Real friction) {
-    std::array<Real, 4> aim{};
-    std::array<Vec3, 4> impulse{}, before{};
+    std::array<Vec3, 4> before{};
     for (std::size_t k = 0; k < m.count; ++k) {
-      const PointRow& p = m.points[k];
+      PointRow& p = m.points[k];
       before[k] = vector(relative_velocity(a, b, m, p));
       const Real un = before[k].x;
-      aim[k] = un < p.free_speed ? -restitution * un : p.free_speed;
+      if (!m.owes) p.aim = un < p.free_speed ? -restitution * un : p.free_speed;
     }
+    share(m, a, b, before);
     constexpr int most = 60;
     for (int repeat = 0; repeat < most; ++repeat) {
       Real change = 0;
-      for (std::size_t k = 0; k < m.count; ++k) {
-        const PointRow& p = m.points[k];
-        const Vec3 step = answer(p, relative_velocity(a, b, m, p), aim[k], 1, friction, impulse[k]);
+      for (PointRow& p : m.rows()) {
+        const Vec3 step = answer(p, relative_velocity(a, b, m, p), p.aim, 1, friction, p.blow);
         apply(a, b, m, p, step);
         change = max(change, size(p, step, 1));
       }
@@ -198,16 +233,37 @@ class SubStep {
       if (change <= Real(0.1) * least_) break;
     }
     Impact outcome;
+    std::array<Vec3, 4> blow;
     Real work = 0, scale_of_work = 0;  // ½ Σ p·(u⁻ + u⁺), and its size without cancellation
     for (std::size_t k = 0; k < m.count; ++k) {
       PointRow& p = m.points[k];
-      work += dot(impulse[k], before[k] + vector(relative_velocity(a, b, m, p))) * Real(0.5);
-      scale_of_work += abs(dot(impulse[k], before[k]));
-      p.hit |= impulse[k].x > 0;
+      blow[k] = p.blow;
+      work += dot(p.blow, before[k] + vector(relative_velocity(a, b, m, p))) * Real(0.5);
+      scale_of_work += abs(dot(p.blow, before[k]));
+      p.hit |= p.blow.x > 0;
     }
-    outcome.slips = slips(std::span<const Vec3>(impulse).first(m.count), friction);
-    outcome.made_energy = work > Real(1e-5) * scale_of_work;
+    outcome.slips = slips(std::span<const Vec3>(blow).first(m.count), friction);
+    outcome.made_energy = !m.owes && work > Real(1e-4) * scale_of_work;
     return outcome;
+  }
+
+  // Points of one face answer nearly alike, and visits need long until the first has shared its load with the others. So
+  // where all approach they begin with equal impulses, as large as the mean of their aims asks for: all that a face needs
+  // that meets a face squarely.
+  void share(ManifoldRow& m, Moving& a, Moving& b, const std::array<Vec3, 4>& before) {
+    Real asked = 0, answered = 0;
+    Moving tried_a = a, tried_b = b;
+    const Vec3 trial{m.points[0].normal_mass, 0, 0};
+    for (std::size_t k = 0; k < m.count; ++k) {
+      if (before[k].x >= m.points[k].aim) return;
+      asked += m.points[k].aim - before[k].x;
+      apply(tried_a, tried_b, m, m.points[k], trial);
+    }
+    for (std::size_t k = 0; k < m.count; ++k) {
+      answered += relative_velocity(tried_a, tried_b, m, m.points[k])[0] - before[k].x;
+    }
+    const Vec3 each = trial * (asked / answered);
+    for (PointRow& p : m.rows()) apply(a, b, m, p, each), p.blow += each;
   }
 
   // Option friction_per_increment: thesis (3.16), (3.18) nearly as written, each increment against its own cone. It serves to show

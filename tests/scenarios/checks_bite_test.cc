@@ -23,20 +23,24 @@ void remove_joints(World& w) {
 }
 void remove_gravity(World& w) {
   for (ForceId f : w.forces()) {
-    if (std::holds_alternative<Gravity>(w[f])) w.remove(f);
+    if (std::holds_alternative<Gravity>(w[f]) || std::holds_alternative<NBody>(w[f])) w.remove(f);
   }
 }
+void add_air(World& w) { w.add(Drag{.linear = 0.1, .angular = 0.1}); }
 void slope(World& w) { w.add(Gravity{{0.05, 0, 0}}); }  // half a degree: more than nothing resists
 
-// What works in every scene: no impulses in contacts and joints, no joints, no gravity; and every parameter that begins
+// What works in every scene: no impulses in contacts and joints, or too few; no joints, no gravity, air where there is
+// none; and every parameter that begins
 // with one of these words is set as low as it goes.
 std::vector<Removal> removals(const std::vector<Params::Entry>& params) {
   std::vector<Removal> all = {
       {"no passes", {.config = {{"impulse_2007.collision_passes", "0"}, {"impulse_2007.contact_passes", "0"}}}},
+      {"one pass", {.config = {{"impulse_2007.collision_passes", "1"}, {"impulse_2007.contact_passes", "1"}}}},
       {"no joints", {}, remove_joints},
       {"no gravity", {}, remove_gravity},
+      {"air", {}, add_air},
   };
-  for (const char* word : {"friction", "restitution", "speed", "spin"}) {
+  for (const char* word : {"friction", "restitution", "speed", "spin", "force"}) {
     Settings lowest;
     for (const Params::Entry& p : params) {
       if (p.name.starts_with(word)) lowest.set[p.name] = p.low;
