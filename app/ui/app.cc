@@ -61,11 +61,24 @@ class App {
       }
       const Scene scene = marked(controls_.scene);
       Style style = controls_.style;
-      style.samples = frame_ > 0.05 ? 1 : 2;
+      adapt();
+      style.samples = quality_ > 0 ? 2 : 1;
+      style.occlusion = quality_ > 0;
+      style.shadow_texels = quality_ > 0 ? 2048 : 1024;
       renderer_.draw(scene, controls_.camera.camera(), style, canvas_->target());
       canvas_->show(area_.x, window_.height() - area_.y - area_.height);
     }
     window_.end_frame();
+  }
+
+  // A beautiful picture where that is quick, a plain one where it is not. Each change is given time to be judged, and
+  // the two limits lie far apart, so that it does not flicker.
+  void adapt() {
+    if (++judged_ < 30) return;
+    const int wanted = frame_ > 0.045 ? 0 : frame_ < 0.02 ? 1 : quality_;
+    if (wanted == quality_) return;
+    quality_ = wanted;
+    judged_ = wanted == 0 ? -600 : 0;
   }
 
   // The scene with the selected body and the spring that pulls it.
@@ -144,7 +157,8 @@ class App {
   Hand hand_{controls_, [this](int x, int y) { return pick(x, y); }};
   StatusFile status_;
   Area area_;
-  double frame_ = 1.0 / 60;  // s, smoothed
+  double frame_ = 0.03;           // s, smoothed
+  int quality_ = 0, judged_ = 0;  // of the picture, 0 or 1; pictures since it changed
   int events_left_ = 0;
   std::int64_t titled_ = 0;
 };
