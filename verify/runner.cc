@@ -64,11 +64,9 @@ Values known_to(const Case& c, const Values& set) {
 
 std::vector<Result> plan(const Options& o) {
   const std::vector<const Case*> cases = chosen_cases(o);
-  for (const auto& [name, value] : o.set) {
-    const bool known = std::any_of(cases.begin(), cases.end(), [&](const Case* c) {
-      return !known_to(*c, {{name, value}}).empty();
-    });
-    if (!known) throw Error(name, "is no parameter of the chosen cases");
+  for (const auto& given : o.set) {
+    const bool known = std::any_of(cases.begin(), cases.end(), [&](const Case* c) { return !known_to(*c, {given}).empty(); });
+    if (!known) throw Error(given.first, "is no parameter of the chosen cases");
   }
   std::vector<Result> results;
   for (const Case* c : cases) {
