@@ -1,7 +1,6 @@
 #include "collision/broad/box_tree.h"
 
 #include <algorithm>
-#include <array>
 
 namespace sudar::inline SUDAR_PRECISION {
 
