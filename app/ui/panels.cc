@@ -33,8 +33,14 @@ std::string lower(std::string text) {
   return text;
 }
 
-bool matches(const ScenarioEntry& e, const std::string& search) {
-  return lower(std::string(e.name) + " " + e.place + " " + e.about).find(search) != std::string::npos;
+// How well a scenario answers a search: 0 not at all, most where its name is what was typed. Enter takes the best, so that
+// "wall" is not "seven cubes between walls".
+int match(const ScenarioEntry& e, const std::string& search) {
+  const std::string name = lower(e.name);
+  if (name == search) return 4;
+  if (name.starts_with(search)) return 3;
+  if ((name + " " + lower(e.place)).find(search) != std::string::npos) return 2;
+  return lower(e.about).find(search) != std::string::npos ? 1 : 0;
 }
 
 }
@@ -101,9 +107,11 @@ void Panels::scenarios() {
   const std::string search = lower(search_);
   ImGui::BeginChild("list", {0, 230}, false);
   std::string group;
-  bool taken = false;
+  const ScenarioEntry* best = nullptr;
   for (const ScenarioEntry* e : controls_.catalogue().all()) {
-    if (!matches(*e, search)) continue;
+    const int quality = match(*e, search);
+    if (quality == 0) continue;
+    if (best == nullptr || quality > match(*best, search)) best = e;
     const std::string place = e->place, own = place.substr(0, place.find('/'));
     if (own != group) ImGui::TextDisabled("%s", own.c_str());
     group = own;
@@ -111,8 +119,9 @@ void Panels::scenarios() {
     const bool clicked =
         ImGui::Selectable(("   " + place.substr(place.find('/') + 1) + "##" + e->name).c_str(), current);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", e->about);
-    if (clicked || (entered && !taken)) controls_.start(*e), taken = true;
+    if (clicked) controls_.start(*e);
   }
+  if (entered && best != nullptr) controls_.start(*best);
   ImGui::EndChild();
 }
 
