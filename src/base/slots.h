@@ -27,7 +27,9 @@ class Slots {
   // A generation is odd while its slot is in use.
   bool used(std::uint32_t i) const { return i < generation_.size() && (generation_[i] & 1) != 0; }
   template <class Tag>
-  bool alive(Handle<Tag> h) const { return h.index < generation_.size() && generation_[h.index] == h.generation && used(h.index); }
+  bool alive(Handle<Tag> h) const {
+    return h.index < generation_.size() && generation_[h.index] == h.generation && used(h.index);
+  }
   std::uint32_t generation(std::uint32_t i) const { return generation_[i]; }
   std::uint32_t size() const { return std::uint32_t(generation_.size()); }  // slots ever made: the length of the arrays
   std::uint32_t live() const { return live_; }

@@ -25,7 +25,8 @@ MassProperties mass_properties(const BodyDef& def) {
   if (def.center) m.center = convert<double>(*def.center);
   if (def.inertia) {
     const Mat3& tensor = *def.inertia;
-    m.inertia = Mat3d{convert<double>(tensor.c0), convert<double>(tensor.c1), convert<double>(tensor.c2)} * (1 / density_of(def));
+    m.inertia = Mat3d{convert<double>(tensor.c0), convert<double>(tensor.c1), convert<double>(tensor.c2)} *
+                (1 / density_of(def));
   }
   return m;
 }

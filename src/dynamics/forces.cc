@@ -75,7 +75,8 @@ double potential_energy(const Forces& forces, const Bodies& bodies) {
       for (std::uint32_t j = 0; j < bodies.size(); ++j) {
         if (j == i || !bodies.slots.used(j) || (bodies.dynamic(j) && j < i)) continue;  // each pair once
         const Pos& o = bodies.position[j];
-        const double r = sqrt(square(p.x - o.x) + square(p.y - o.y) + square(p.z - o.z) + square(double(law.softening)));
+        const double r =
+            sqrt(square(p.x - o.x) + square(p.y - o.y) + square(p.z - o.z) + square(double(law.softening)));
         if (r > 0) sum -= double(law.gravitational_constant) * m * double(bodies.mass[j]) / r;
       }
     });

@@ -116,8 +116,12 @@ std::uint32_t Joints::add(const JointDef& def, const Bodies& bodies) {
   return i;
 }
 
-Pos anchor_a(const Joints& j, const Bodies& bodies, std::uint32_t i) { return anchor(j, bodies, i, j.a[i], j.anchor_a[i]); }
-Pos anchor_b(const Joints& j, const Bodies& bodies, std::uint32_t i) { return anchor(j, bodies, i, j.b[i], j.anchor_b[i]); }
+Pos anchor_a(const Joints& j, const Bodies& bodies, std::uint32_t i) {
+  return anchor(j, bodies, i, j.a[i], j.anchor_a[i]);
+}
+Pos anchor_b(const Joints& j, const Bodies& bodies, std::uint32_t i) {
+  return anchor(j, bodies, i, j.b[i], j.anchor_b[i]);
+}
 
 JointRows rows_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
   const JointFrame f = frame_of(j, bodies, i);

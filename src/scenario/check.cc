@@ -51,7 +51,8 @@ void Check::note(std::string_view name, const char* op, double value, double lim
 bool Check::passed() const {
   const auto failed = [](const Entry& e) { return e.pass && !*e.pass; };
   const auto judged = [](const Entry& e) { return e.pass.has_value(); };
-  return std::none_of(entries_.begin(), entries_.end(), failed) && std::any_of(entries_.begin(), entries_.end(), judged);
+  return std::none_of(entries_.begin(), entries_.end(), failed) &&
+         std::any_of(entries_.begin(), entries_.end(), judged);
 }
 
 Bytes Check::save() const {

@@ -12,8 +12,9 @@ double Params::visit(std::string_view name, Kind kind, double value, double low,
     value = given->second;
     const bool whole = std::floor(value) == value;
     if (!(value >= low && value <= high) || (kind != Kind::real && !whole)) {
-      throw Error(std::string(name), "is " + text(value) + ", must be " + (kind == Kind::real ? "" : "a whole number ") +
-                                         "from " + text(low) + " to " + text(high));
+      throw Error(std::string(name), "is " + text(value) + ", must be " +
+                                         (kind == Kind::real ? "" : "a whole number ") + "from " + text(low) + " to " +
+                                         text(high));
     }
   }
   entries_.push_back({std::string(name), kind, value, low, high, std::string(about)});
@@ -39,7 +40,8 @@ void Params::require_all_known() const {
     if (std::any_of(entries_.begin(), entries_.end(), is)) continue;
     std::string there;
     for (const Entry& e : entries_) there += (there.empty() ? "" : ", ") + e.name;
-    throw Error(name, "is no parameter of this scenario" + (there.empty() ? ", which has none" : "; there is: " + there));
+    throw Error(name,
+                "is no parameter of this scenario" + (there.empty() ? ", which has none" : "; there is: " + there));
   }
 }
 
@@ -59,7 +61,9 @@ void State::missing(std::string_view name) {
 }
 
 bool Input::held(std::string_view key) const { return std::find(held_.begin(), held_.end(), key) != held_.end(); }
-bool Input::pressed(std::string_view key) const { return std::find(pressed_.begin(), pressed_.end(), key) != pressed_.end(); }
+bool Input::pressed(std::string_view key) const {
+  return std::find(pressed_.begin(), pressed_.end(), key) != pressed_.end();
+}
 void Input::set(std::vector<std::string> keys) {
   for (const std::string& key : keys) {
     if (!held(key)) pressed_.push_back(key);

@@ -50,8 +50,9 @@ const ScenarioEntry& Catalogue::find(std::string_view name) const {
     if (name == e->name) return *e;
     if (nearest == nullptr || distance(name, e->name) < distance(name, nearest->name)) nearest = e;
   }
-  throw Error("scene", "'" + std::string(name) + "' does not exist" +
-                           (nearest != nullptr ? "; did you mean '" + std::string(nearest->name) + "'?" : ": there are none"));
+  throw Error("scene",
+              "'" + std::string(name) + "' does not exist" +
+                  (nearest != nullptr ? "; did you mean '" + std::string(nearest->name) + "'?" : ": there are none"));
 }
 
 KeyScript::KeyScript(std::string_view text) {

@@ -25,7 +25,8 @@ void validate_mass(const BodyDef& def) {
   const MassProperties m = mass_properties(def);
   const auto fits = [](double x) { return std::isfinite(Real(x)) && Real(x) > 0 && std::isfinite(1 / Real(x)); };
   if (!fits(density * m.volume)) {
-    throw Error(def.mass > 0 ? "mass" : "density", "makes a mass of " + text(density * m.volume) + " kg, which the precision cannot hold");
+    throw Error(def.mass > 0 ? "mass" : "density",
+                "makes a mass of " + text(density * m.volume) + " kg, which the precision cannot hold");
   }
   const Vec3d moments = principal_frame(m).moments * density;
   if (def.motion == Motion::dynamic && !(fits(moments.x) && fits(moments.y) && fits(moments.z))) {
@@ -47,7 +48,8 @@ void validate_body(const BodyDef& def) {
     throw Error(def.velocity != Vec3{} ? "velocity" : "spin", "must be zero: the body is fixed");
   }
   if (def.shape.kind() != ShapeKind::half_space) validate_mass(def);
-  else if (def.center || def.inertia) throw Error(def.center ? "center" : "inertia", "is given, but a half space has none");
+  else if (def.center || def.inertia)
+    throw Error(def.center ? "center" : "inertia", "is given, but a half space has none");
 }
 
 const char* kind_name(const JointDef& def) {
@@ -326,7 +328,8 @@ void World::Impl::wake_around(std::uint32_t i) {
   const auto plane = std::find_if(planes.begin(), planes.end(), [&](const PlaneProxy& p) { return p.proxy == i; });
   for (std::uint32_t k = 0; k < bodies.size(); ++k) {
     if (!bodies.slots.used(k) || bodies.asleep[k] == 0) continue;
-    if (plane != planes.end() ? may_pair(*plane, proxies[i], proxies[k]) : may_pair(proxies[i], proxies[k])) wake_island(k);
+    if (plane != planes.end() ? may_pair(*plane, proxies[i], proxies[k]) : may_pair(proxies[i], proxies[k]))
+      wake_island(k);
   }
   for (std::uint32_t j = 0; j < joints.size(); ++j) {
     if (!joints.slots.used(j) || !joints.touches(j, i)) continue;

@@ -76,7 +76,8 @@ void check_body(const World::Impl& w, std::uint32_t i) {
   if (b.motion[i] != Motion::dynamic && b.inverse_mass[i] != 0) bad("holds a fixed body that moves");
   const bool finite = is_finite(b.position[i]) && is_finite(b.orientation[i]) && is_finite(b.velocity[i]) &&
                       is_finite(b.angular_momentum[i]) && is_finite(b.spin[i]);
-  if (!finite || !is_finite(w.proxies[i].box.low) || !is_finite(w.proxies[i].box.high)) bad("holds a body that is nowhere");
+  if (!finite || !is_finite(w.proxies[i].box.low) || !is_finite(w.proxies[i].box.high))
+    bad("holds a body that is nowhere");
 }
 
 void check_pairs(const World::Impl& w) {
@@ -89,7 +90,8 @@ void check_pairs(const World::Impl& w) {
     }
     before = &row.key;
     const bool touching = (row.manifold.bits & Manifold::touching) != 0;
-    if (row.manifold.count < 0 || row.manifold.count > 4 || touching != (row.row != no_row)) bad("holds a broken contact");
+    if (row.manifold.count < 0 || row.manifold.count > 4 || touching != (row.row != no_row))
+      bad("holds a broken contact");
     if (row.row == no_row) continue;
     if (!w.contacts.slots.used(row.row) || taken[row.row]++ != 0) bad("holds a broken contact");
   }
@@ -110,7 +112,8 @@ void World::Impl::check_state() const {
   }
   for (std::uint32_t f = 0; f < forces.slots.size(); ++f) {
     const auto* thruster = std::get_if<Thruster>(&forces.definition[f]);
-    if (forces.slots.used(f) && thruster != nullptr && !bodies.slots.alive(thruster->body)) bad("pushes a body that it does not hold");
+    if (forces.slots.used(f) && thruster != nullptr && !bodies.slots.alive(thruster->body))
+      bad("pushes a body that it does not hold");
   }
   if (sensor_memory.size() != sensors.size()) bad("has arrays of different lengths");
   for (std::uint32_t s = 0; s < sensor_slots.size(); ++s) {

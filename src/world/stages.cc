@@ -168,7 +168,8 @@ void solve(World::Impl& w) {
       w.joints, w.contacts, report);
   for (const SolveReport::Hit& hit : report.hits) {
     const ActiveContact& c = w.active_contacts[hit.contact];
-    w.events.hits.push_back({handle(w, c.a), handle(w, c.b), w.bodies.position[c.a] + hit.at, c.manifold->normal, hit.speed});
+    w.events.hits.push_back(
+        {handle(w, c.a), handle(w, c.b), w.bodies.position[c.a] + hit.at, c.manifold->normal, hit.speed});
   }
   for (const std::uint32_t i : report.broken) {
     w.bodies.velocity[i] = w.bodies.spin[i] = w.bodies.angular_momentum[i] = {};
@@ -188,7 +189,8 @@ void sleep(World::Impl& w) {
   Bodies& b = w.bodies;
   const Real limit = Real(1e-5) * square(w.config.length_unit);
   for (const std::uint32_t i : w.awake) {
-    const bool quiet = length_squared(b.velocity[i]) <= limit && length_squared(b.spin[i]) * square(b.radius[i]) <= limit;
+    const bool quiet =
+        length_squared(b.velocity[i]) <= limit && length_squared(b.spin[i]) * square(b.radius[i]) <= limit;
     b.quiet_steps[i] = quiet ? b.quiet_steps[i] + 1 : 0;
   }
   if (!w.config.sleep) return;

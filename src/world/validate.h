@@ -48,7 +48,8 @@ class Validator {
     if (!is_finite(v)) fail(name, "is not finite");
   }
   void operator()(const char* name, const Vec3& v, const UnitLength&) {
-    if (!is_finite(v) || abs(length(v) - 1) > Real(1e-3)) fail(name, "must have length 1, has " + text(double(length(v))));
+    if (!is_finite(v) || abs(length(v) - 1) > Real(1e-3))
+      fail(name, "must have length 1, has " + text(double(length(v))));
   }
   void operator()(const char* name, const Quat& q, const UnitLength&) {
     if (!is_finite(q) || abs(sqrt(length_squared(q)) - 1) > Real(1e-3)) fail(name, "must be a unit quaternion");

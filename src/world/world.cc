@@ -109,7 +109,8 @@ double BodyView::kinetic_energy() const {
   const Bodies& b = world_->impl().bodies;
   if (!b.dynamic(index_)) return 0;
   const Vec3d v = convert<double>(b.velocity[index_]);
-  return 0.5 * (double(b.mass[index_]) * dot(v, v) + dot(convert<double>(b.spin[index_]), convert<double>(b.angular_momentum[index_])));
+  return 0.5 * (double(b.mass[index_]) * dot(v, v) +
+                dot(convert<double>(b.spin[index_]), convert<double>(b.angular_momentum[index_])));
 }
 const Shape& BodyView::shape() const { return world_->impl().geometry[world_->impl().bodies.geometry[index_]]; }
 const Material& BodyView::material() const { return world_->impl().bodies.material[index_]; }
@@ -193,7 +194,8 @@ std::optional<RayHit> World::ray_cast(const Pos& from, const Vec3& direction, Re
     RayOnGeometry hit;
     const Real best = nearest ? nearest->distance : reach;
     if (!sudar::ray_cast(w.geometry_of(i), pose.local(from), rotate_back(pose.q, direction), best, hit)) continue;
-    nearest = RayHit{w.bodies.slots.handle<BodyTag>(i), from + direction * hit.distance, rotate(pose.q, hit.normal), hit.distance};
+    nearest = RayHit{w.bodies.slots.handle<BodyTag>(i), from + direction * hit.distance, rotate(pose.q, hit.normal),
+                     hit.distance};
   }
   return nearest;
 }

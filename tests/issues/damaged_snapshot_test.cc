@@ -62,9 +62,7 @@ TEST(DamagedSnapshot, DoesNotCrashIfForged) {
       for (const Body body : forged.bodies()) forged.remove(body);
       forged.step();
       ++taken;
-    } catch (const Error&) {
-      ++refused;
-    }
+    } catch (const Error&) { ++refused; }
   };
   for (std::size_t n = 0; n < content; ++n) {
     load(std::span(whole).first(n));

@@ -1,5 +1,5 @@
-// A fixed wall put into a sleeping box went unnoticed: pairs of which nobody moves are not collided, and neither a fixed
-// body that is added or placed nor a kinematic one at rest counts as moving. The box slept on inside the wall.
+// A fixed wall put into a sleeping box went unnoticed: pairs of which nobody moves are not collided, and neither a
+// fixed body that is added or placed nor a kinematic one at rest counts as moving. The box slept on inside the wall.
 #include "unit/worlds.h"
 
 namespace sudar_test {
@@ -40,7 +40,10 @@ TEST(ObstacleOnSleeper, PlacedOnesWake) {
 }
 TEST(ObstacleOnSleeper, HalfSpacesWake) {
   Bedroom room;
-  room.w.add({.shape = half_space(), .at = {-0.4, 0, 0}, .turn = axis_angle(Vec3{0, 0, 1}, Real(-pi / 2)), .motion = Motion::fixed});
+  room.w.add({.shape = half_space(),
+              .at = {-0.4, 0, 0},
+              .turn = axis_angle(Vec3{0, 0, 1}, Real(-pi / 2)),
+              .motion = Motion::fixed});
   room.expect_pushed_out();
 }
 

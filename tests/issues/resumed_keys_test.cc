@@ -1,5 +1,5 @@
-// A saved run that went on pressed keys again: the keys held were not saved, so the next step took them for new ones, and
-// the script began at its first line. A run with keys that was saved and loaded ended elsewhere.
+// A saved run that went on pressed keys again: the keys held were not saved, so the next step took them for new ones,
+// and the script began at its first line. A run with keys that was saved and loaded ended elsewhere.
 #include <sudar/session.h>
 
 #include "unit/worlds.h"
@@ -21,8 +21,13 @@ struct Jumper : Scenario {
     if (in.held("right")) w.push(b, {10, 0, 0}, w[b].center());
   }
 };
-const ScenarioEntry jumper{.abi = abi_of_this_file(), .name = "jumper", .place = "Tests/Jumper", .about = "",
-                           .seconds = 2, .picture = 1, .create = []() -> Scenario* { return new Jumper; },
+const ScenarioEntry jumper{.abi = abi_of_this_file(),
+                           .name = "jumper",
+                           .place = "Tests/Jumper",
+                           .about = "",
+                           .seconds = 2,
+                           .picture = 1,
+                           .create = []() -> Scenario* { return new Jumper; },
                            .destroy = [](Scenario* s) { delete s; }};
 
 void run_to(Session& s, int steps) {

@@ -1,4 +1,5 @@
-// A rope's gap was always zero, however far it was stretched: a rope has no rows, only a limit, and the gap counted rows.
+// A rope's gap was always zero, however far it was stretched: a rope has no rows, only a limit, and the gap counted
+// rows.
 #include "unit/worlds.h"
 
 namespace sudar_test {

@@ -25,9 +25,7 @@ TEST(ScenarioStateCount, IsRefusedIfTooLarge) {
     try {
       after.visit(read);
       ADD_FAILURE() << "cut to " << n;
-    } catch (const Error& e) {
-      EXPECT_EQ(e.field, n < 4 ? "dropped" : n < 12 ? "last" : "heights");
-    }
+    } catch (const Error& e) { EXPECT_EQ(e.field, n < 4 ? "dropped" : n < 12 ? "last" : "heights"); }
   }
   Bytes many = write.bytes();
   many[12 + 7] = std::byte{0x7f};  // the count's highest byte

@@ -1,5 +1,5 @@
-// Who counts touches by begun − ended counted wrong: a body that was placed elsewhere, and a pair that a new joint keeps
-// from touching, stopped touching without a word; and a body placed where it was began to touch a second time.
+// Who counts touches by begun − ended counted wrong: a body that was placed elsewhere, and a pair that a new joint
+// keeps from touching, stopped touching without a word; and a body placed where it was began to touch a second time.
 #include <map>
 
 #include "unit/worlds.h"

@@ -65,7 +65,8 @@ TEST(Rest, BeamSharesItsWeight) {
 // How far a unit cube moves in `seconds` on an incline of `angle`.
 double slide(double angle, double friction_static, double friction_dynamic, double seconds) {
   World w(steady(1.0 / 240));
-  w.add(Gravity{{Real(9.81 * std::sin(angle)), Real(-9.81 * std::cos(angle)), 0}});  // the incline is level, gravity is not
+  w.add(Gravity{
+      {Real(9.81 * std::sin(angle)), Real(-9.81 * std::cos(angle)), 0}});  // the incline is level, gravity is not
   add_floor(w, 0, {Real(friction_static), Real(friction_dynamic), 0});
   const Body b = w.add(cube({0, 0.5, 0}, {Real(friction_static), Real(friction_dynamic), 0}));
   step(w, int(std::lround(seconds * 240)));
@@ -98,7 +99,8 @@ TEST(Friction, StopsInTheDiscreteWayInEveryDirection) {
     const Material m{Real(0.3), Real(0.3), 0};
     add_floor(w, 0, m);
     const Vec3 along{Real(std::cos(direction)), 0, Real(std::sin(direction))};
-    BodyDef def{.shape = box({1, Real(0.1), 1}), .at = {0, 0.05, 0}, .velocity = along * Real(5), .mass = 1, .material = m};
+    BodyDef def{
+        .shape = box({1, Real(0.1), 1}), .at = {0, 0.05, 0}, .velocity = along * Real(5), .mass = 1, .material = m};
     const Body b = w.add(def);
     step(w, 120);
     const Pos p = w[b].center();
@@ -173,7 +175,10 @@ TEST(Mixing, OfFriction) {
 World weightless() { return World(steady(1e-3)); }
 Body ball(World& w, const Pos& at, const Vec3& velocity, double mass, double restitution, double radius = 0.5,
           double friction = 0) {
-  return w.add({.shape = sphere(Real(radius)), .at = at, .velocity = velocity, .mass = Real(mass),
+  return w.add({.shape = sphere(Real(radius)),
+                .at = at,
+                .velocity = velocity,
+                .mass = Real(mass),
                 .material = {Real(friction), Real(friction), Real(restitution)}});
 }
 
@@ -273,7 +278,11 @@ TEST(Impact, RodStruckAtItsEnd) {
   const Material smooth{0, 0, 1};
   const double thin = 0.02;
   const Body rod = w.add({.shape = box({1, Real(thin), Real(thin)}), .mass = 1, .material = smooth});
-  const Body b = w.add({.shape = sphere(Real(0.01)), .at = {0.499, -0.1, 0}, .velocity = {0, 10, 0}, .mass = Real(0.2), .material = smooth});
+  const Body b = w.add({.shape = sphere(Real(0.01)),
+                        .at = {0.499, -0.1, 0},
+                        .velocity = {0, 10, 0},
+                        .mass = Real(0.2),
+                        .material = smooth});
   step(w, 100);
   const double inertia = (1 + thin * thin) / 12, d = 0.499, impulse = 2 * 10 / (1 / 0.2 + 1 + d * d / inertia);
   EXPECT_NEAR(w[b].velocity().y, 10 - impulse / 0.2, 0.01);
@@ -287,8 +296,17 @@ TEST(Impact, ElasticBoxKeepsItsEnergy) {
   World w(steady(1e-3));
   const Material smooth{0, 0, 1};
   add_floor(w, 0, smooth);
-  w.add({.shape = half_space(), .at = {0, 4, 0}, .turn = axis_angle(Vec3{1, 0, 0}, Real(pi)), .material = smooth, .motion = Motion::fixed});
-  const Body b = w.add({.shape = box({1, Real(0.7), Real(0.5)}), .at = {0, 2, 0}, .velocity = {0, -2, 0}, .spin = {1, 2, 3}, .mass = 1, .material = smooth});
+  w.add({.shape = half_space(),
+         .at = {0, 4, 0},
+         .turn = axis_angle(Vec3{1, 0, 0}, Real(pi)),
+         .material = smooth,
+         .motion = Motion::fixed});
+  const Body b = w.add({.shape = box({1, Real(0.7), Real(0.5)}),
+                        .at = {0, 2, 0},
+                        .velocity = {0, -2, 0},
+                        .spin = {1, 2, 3},
+                        .mass = 1,
+                        .material = smooth});
   const double energy = w[b].kinetic_energy();
   for (int i = 0; i < 10000; ++i) {
     w.step();

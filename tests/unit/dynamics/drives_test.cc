@@ -97,7 +97,9 @@ TEST(Drive, HoldsWhatItsForceCanHold) {
     World w(steady(0.01));
     w.add(Gravity{});
     const Body b = w.add(cube({0, 0, 0}));
-    w.join(Slider{.b = b, .at = {0, 0, 0}, .axis = {0, 1, 0},
+    w.join(Slider{.b = b,
+                  .at = {0, 0, 0},
+                  .axis = {0, 1, 0},
                   .drive = {.mode = DriveMode::speed, .target = 0, .force = Real(force)}});
     step(w, 100);
     EXPECT_NEAR(w[b].velocity().y, std::min(0.0, force - 9.81), 1e-3);
@@ -142,7 +144,9 @@ TEST(Servo, HoldsAHingeAgainstAWeight) {
   World w(steady(1.0 / 60, 4));
   w.add(Gravity{});
   const Body arm = w.add({.shape = box({1, Real(0.1), Real(0.1)}), .at = {0.5, 0, 0}, .mass = 1});
-  const Joint j = w.join(Hinge{.b = arm, .at = {0, 0, 0}, .axis = z_axis,
+  const Joint j = w.join(Hinge{.b = arm,
+                               .at = {0, 0, 0},
+                               .axis = z_axis,
                                .drive = {.mode = DriveMode::servo, .target = Real(0.5), .force = 20}});
   step(w, 180);
   EXPECT_NEAR(w[j].coordinate(), 0.5, 5e-3);
@@ -161,9 +165,10 @@ TEST(Servo, StopsAtALimit) {
 // A drive between two free bodies moves them apart by action and reaction.
 TEST(Drive, PushesBothBodies) {
   World w(steady(0.01));
-  const Body a = w.add({.shape = box({1, 1, 1}), .mass = 3}), b = w.add({.shape = box({1, 1, 1}), .at = {2, 0, 0}, .mass = 1});
-  w.join(Slider{.a = a, .b = b, .at = {1, 0, 0}, .axis = x_axis,
-                .drive = {.mode = DriveMode::speed, .target = 100, .force = 3}});
+  const Body a = w.add({.shape = box({1, 1, 1}), .mass = 3}),
+             b = w.add({.shape = box({1, 1, 1}), .at = {2, 0, 0}, .mass = 1});
+  w.join(Slider{
+      .a = a, .b = b, .at = {1, 0, 0}, .axis = x_axis, .drive = {.mode = DriveMode::speed, .target = 100, .force = 3}});
   step(w, 100);
   EXPECT_NEAR(w[a].velocity().x, -1, 1e-3);
   EXPECT_NEAR(w[b].velocity().x, 3, 1e-3);

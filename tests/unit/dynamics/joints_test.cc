@@ -25,8 +25,8 @@ const Kind kinds[] = {
     {"plane", [](Body a, Body b, const Pos& p) { return Plane{.a = a, .b = b, .at = p, .normal = y_axis}; }, 2e-3},
 };
 
-// Two different bodies that tumble freely, tied together, keep their momentum; the joint holds. Angular momentum is kept
-// up to gap × impulse, and up to what the pseudo velocities move: a thousandth here.
+// Two different bodies that tumble freely, tied together, keep their momentum; the joint holds. Angular momentum is
+// kept up to gap × impulse, and up to what the pseudo velocities move: a thousandth here.
 TEST(Joints, ConserveMomentumAndHold) {
   Random random(5);
   for (const Kind& kind : kinds) {
@@ -34,8 +34,12 @@ TEST(Joints, ConserveMomentumAndHold) {
       World w(steady(1.0 / 60, 4));
       const auto vector = [&](double size) { return convert<Real>(random.in_cube(size)); };
       const Body a = w.add({.shape = box({1, 2, 3}), .velocity = vector(1), .spin = vector(1), .density = 1});
-      const Body b = w.add({.shape = box({2, 1, 1}), .at = {2, 3, 0}, .turn = convert<Real>(random.rotation()),
-                            .velocity = vector(1), .spin = vector(1), .density = 2});
+      const Body b = w.add({.shape = box({2, 1, 1}),
+                            .at = {2, 3, 0},
+                            .turn = convert<Real>(random.rotation()),
+                            .velocity = vector(1),
+                            .spin = vector(1),
+                            .density = 2});
       const Joint j = w.join(kind.make(a, b, {1, 1.5, 0.5}));
       const Momentum before = w.momentum();
       for (int i = 0; i < 60; ++i) {
@@ -156,8 +160,10 @@ TEST(Hinge, PendulumHasItsPeriod) {
   w.add(Gravity{});
   const double angle = pi / 6;
   const Quat turn = axis_angle(z_axis, Real(angle));
-  const Body rod = w.add({.shape = box({Real(0.02), 1, Real(0.02)}), .at = Pos{} + rotate(turn, Vec3{0, Real(-0.5), 0}),
-                          .turn = turn, .mass = 1});
+  const Body rod = w.add({.shape = box({Real(0.02), 1, Real(0.02)}),
+                          .at = Pos{} + rotate(turn, Vec3{0, Real(-0.5), 0}),
+                          .turn = turn,
+                          .mass = 1});
   const Joint j = w.join(Hinge{.b = rod, .at = {0, 0, 0}});
   const double start = w.energy().total();
   double previous = 0, period = 0;

@@ -25,7 +25,8 @@ Pos answer(const Problem& p, Integrator method, int steps) {
 
 double order(const Problem& p, Integrator method) {
   const Pos exact = answer(p, Integrator::rk4, 16 * p.coarse);
-  const double coarse = distance(answer(p, method, p.coarse), exact), fine = distance(answer(p, method, 2 * p.coarse), exact);
+  const double coarse = distance(answer(p, method, p.coarse), exact),
+               fine = distance(answer(p, method, 2 * p.coarse), exact);
   return std::log2(coarse / fine);
 }
 
@@ -55,7 +56,8 @@ TEST(Order, RungeKuttaHasFour) {
   for (const Problem& p : problems) EXPECT_NEAR(order(p, Integrator::rk4), 4, 0.5) << p.name;
 }
 TEST(Order, SymplecticEulerHasOne) {
-  for (const Problem& p : problems) EXPECT_NEAR(order({p.name, p.build, p.seconds, 8 * p.coarse}, Integrator::symplectic_euler), 1, 0.2) << p.name;
+  for (const Problem& p : problems)
+    EXPECT_NEAR(order({p.name, p.build, p.seconds, 8 * p.coarse}, Integrator::symplectic_euler), 1, 0.2) << p.name;
 }
 
 // A closed form: a thruster through the centre of a ball that spins at ω moves it on a cycloid,
@@ -68,7 +70,8 @@ TEST(Order, SpinningThrusterDrawsACycloid) {
   w.add(Thruster{.body = b, .force = {4, 0, 0}});
   step(w, 200);
   const double angle = 6, r = 4 / (2 * 9.0);
-  expect_near(w[b].center(), Pos{r * (1 - std::cos(angle)), r * (angle - std::sin(angle)), 0}, by_precision(1e-5, 1e-7));
+  expect_near(w[b].center(), Pos{r * (1 - std::cos(angle)), r * (angle - std::sin(angle)), 0},
+              by_precision(1e-5, 1e-7));
 }
 
 // Bodies that touch something or hang on something keep to symplectic Euler, the same bits as with it alone.

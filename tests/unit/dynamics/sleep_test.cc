@@ -50,18 +50,39 @@ TEST(Sleep, NeverWhereItIsForbidden) {
 // Every change that could move it wakes the whole island.
 TEST(Sleep, EveryChangeWakes) {
   const std::function<void(Bedroom&)> changes[] = {
-      [](Bedroom& r) { r.w.push(r.upper, {0, 1, 0}, {0, 1.5, 0}); },
-      [](Bedroom& r) { r.w.set_velocity(r.upper, {1, 0, 0}, {}); },
-      [](Bedroom& r) { r.w.place(r.upper, {{0, 1.6, 0}, {}}); },
+      [](Bedroom& r) {
+        r.w.push(r.upper, {0, 1, 0}, {0, 1.5, 0});
+      },
+      [](Bedroom& r) {
+        r.w.set_velocity(r.upper, {1, 0, 0}, {});
+      },
+      [](Bedroom& r) {
+        r.w.place(r.upper, {{0, 1.6, 0}, {}});
+      },
       [](Bedroom& r) { r.w.wake(r.upper); },
-      [](Bedroom& r) { r.w.join(Ball{.b = r.upper, .at = {0, 2, 0}}); },
-      [](Bedroom& r) { r.w.add(Gravity{{1, 0, 0}}); },
-      [](Bedroom& r) { r.w.add(Thruster{.body = r.upper, .force = {1, 0, 0}}); },
+      [](Bedroom& r) {
+        r.w.join(Ball{.b = r.upper, .at = {0, 2, 0}});
+      },
+      [](Bedroom& r) {
+        r.w.add(Gravity{{1, 0, 0}});
+      },
+      [](Bedroom& r) {
+        r.w.add(Thruster{.body = r.upper, .force = {1, 0, 0}});
+      },
       [](Bedroom& r) { r.w.remove(r.w.forces().at(0)); },
-      [](Bedroom& r) { Config c = r.w.config(); c.length_unit = 2; r.w.set_config(c); },
-      [](Bedroom& r) { r.w.place(r.table, {{0, -0.6, 0}, {}}); },
+      [](Bedroom& r) {
+        Config c = r.w.config();
+        c.length_unit = 2;
+        r.w.set_config(c);
+      },
+      [](Bedroom& r) {
+        r.w.place(r.table, {{0, -0.6, 0}, {}});
+      },
       [](Bedroom& r) { r.w.remove(r.table); },
-      [](Bedroom& r) { r.w.add(cube({0.5, 2.49, 0})); r.w.step(); },
+      [](Bedroom& r) {
+        r.w.add(cube({0.5, 2.49, 0}));
+        r.w.step();
+      },
   };
   int number = 0;
   for (const auto& change : changes) {

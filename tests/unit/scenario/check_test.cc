@@ -17,7 +17,8 @@ TEST(Check, KeepsTheWorstValue) {
   Check c;
   for (const double value : {1.0, 3.0, 2.0}) {
     c.visit(value, 0.1, true);
-    c.below("low", value, 5, "m"), c.above("high", -value, -5), c.near("near", 10 - value, 10, 4), c.that("holds", true);
+    c.below("low", value, 5, "m"), c.above("high", -value, -5), c.near("near", 10 - value, 10, 4),
+        c.that("holds", true);
   }
   EXPECT_EQ(entry(c, "low").value, 3);
   EXPECT_EQ(entry(c, "low").at, 3);

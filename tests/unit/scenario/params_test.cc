@@ -23,9 +23,7 @@ std::string refusal(const std::map<std::string, double>& given) {
     v.visit(p);
     p.require_all_known();
     return "";
-  } catch (const Error& e) {
-    return e.what();
-  }
+  } catch (const Error& e) { return e.what(); }
 }
 
 TEST(Params, ListAndSet) {
@@ -68,9 +66,7 @@ std::string refused_field(std::string_view path, std::string_view value) {
   try {
     set_field(c, path, value);
     return "";
-  } catch (const Error& e) {
-    return e.what();
-  }
+  } catch (const Error& e) { return e.what(); }
 }
 
 TEST(SetField, EveryKindOfField) {
@@ -93,7 +89,8 @@ TEST(SetField, RefusesByPath) {
   EXPECT_EQ(refused_field("dt", ""), "dt: is '', must be a number");
   EXPECT_EQ(refused_field("substeps", "2.5"), "substeps: is '2.5', must be a whole number");
   EXPECT_EQ(refused_field("sleep", "maybe"), "sleep: is 'maybe', must be true or false");
-  EXPECT_EQ(refused_field("friction_mix", "most"), "friction_mix: is 'most', must be one of min, geometric, average, max");
+  EXPECT_EQ(refused_field("friction_mix", "most"),
+            "friction_mix: is 'most', must be one of min, geometric, average, max");
   EXPECT_NE(refused_field("impulse_2007.passes", "2").find("impulse_2007.contact_passes"), std::string::npos);
   EXPECT_NE(refused_field("impulse_2007", "2"), "");
 }

@@ -6,7 +6,8 @@
 namespace sudar_test {
 namespace {
 
-// A ball is dropped wherever "space" is pressed; while "up" is held, the first one is pushed up; along the view with "v".
+// A ball is dropped wherever "space" is pressed; while "up" is held, the first one is pushed up; along the view with
+// "v".
 struct Drops : Scenario {
   static constexpr double seconds = 2;
   static constexpr const char* about = "balls dropped by a key";
@@ -120,9 +121,7 @@ TEST(Catalogue, FindsAndRefuses) {
   try {
     c.find("drop");
     ADD_FAILURE();
-  } catch (const Error& e) {
-    EXPECT_STREQ(e.what(), "scene: 'drop' does not exist; did you mean 'drops'?");
-  }
+  } catch (const Error& e) { EXPECT_STREQ(e.what(), "scene: 'drop' does not exist; did you mean 'drops'?"); }
   EXPECT_THROW(c.add(&drops), Error);
   ScenarioEntry foreign = drops;
   foreign.abi = "another engine";

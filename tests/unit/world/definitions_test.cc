@@ -62,8 +62,14 @@ TEST(Definitions, Bodies) {
       body("shape", [](BodyDef& d) { d.shape = {}; }),
       body("at", [](BodyDef& d) { d.at.y = std::nan(""); }),
       body("at", [](BodyDef& d) { d.at.x = std::numeric_limits<double>::infinity(); }),
-      body("turn", [](BodyDef& d) { d.turn = {0, 0, 0, 0}; }),
-      body("turn", [](BodyDef& d) { d.turn = {0, 0, 0, 2}; }),
+      body("turn",
+           [](BodyDef& d) {
+             d.turn = {0, 0, 0, 0};
+           }),
+      body("turn",
+           [](BodyDef& d) {
+             d.turn = {0, 0, 0, 2};
+           }),
       body("turn", [](BodyDef& d) { d.turn.w = nan; }),
       body("velocity", [](BodyDef& d) { d.velocity.z = nan; }),
       body("velocity", [](BodyDef& d) { d.velocity.z = infinity; }),
@@ -72,13 +78,19 @@ TEST(Definitions, Bodies) {
       body("density", [](BodyDef& d) { d.density = 0; }),
       body("density", [](BodyDef& d) { d.density = -1; }),
       body("density", [](BodyDef& d) { d.density = infinity; }),
-      body("density", [](BodyDef& d) { d.mass = 0, d.density = huge, d.shape = box({9, 9, 9}); }),
+      body("density",
+           [](BodyDef& d) {
+             d.mass = 0, d.density = huge, d.shape = box({9, 9, 9});
+           }),
       body("density", [](BodyDef& d) { d.mass = 0, d.density = tiny; }),
       body("mass", [](BodyDef& d) { d.mass = -1; }),
       body("mass", [](BodyDef& d) { d.mass = nan; }),
       body("mass", [](BodyDef& d) { d.mass = infinity; }),
       body("mass", [](BodyDef& d) { d.mass = tiny; }),
-      body("shape", [](BodyDef& d) { d.mass = huge, d.shape = box({9, 9, 9}); }),
+      body("shape",
+           [](BodyDef& d) {
+             d.mass = huge, d.shape = box({9, 9, 9});
+           }),
       body("material.friction_static", [](BodyDef& d) { d.material.friction_static = -1; }),
       body("material.friction_dynamic", [](BodyDef& d) { d.material.friction_dynamic = nan; }),
       body("material.restitution", [](BodyDef& d) { d.material.restitution = Real(1.01); }),
@@ -86,9 +98,18 @@ TEST(Definitions, Bodies) {
       body("motion", [](BodyDef& d) { d.motion = Motion(7); }),
       body("motion", [](BodyDef& d) { d.shape = half_space(); }),
       body("motion", [](BodyDef& d) { d.shape = half_space(), d.motion = Motion::kinematic; }),
-      body("velocity", [](BodyDef& d) { d.motion = Motion::fixed, d.velocity = {1, 0, 0}; }),
-      body("spin", [](BodyDef& d) { d.motion = Motion::fixed, d.spin = {1, 0, 0}; }),
-      body("spin", [](BodyDef& d) { d.motion = Motion::kinematic, d.spin = {huge, huge, 0}; }),
+      body("velocity",
+           [](BodyDef& d) {
+             d.motion = Motion::fixed, d.velocity = {1, 0, 0};
+           }),
+      body("spin",
+           [](BodyDef& d) {
+             d.motion = Motion::fixed, d.spin = {1, 0, 0};
+           }),
+      body("spin",
+           [](BodyDef& d) {
+             d.motion = Motion::kinematic, d.spin = {huge, huge, 0};
+           }),
   });
 }
 
@@ -111,11 +132,26 @@ TEST(Definitions, Joints) {
       {"hinge.b", [](Scene& s) { s.w.join(Hinge{.a = s.a, .b = s.dead}); }},
       {"ball.a", [](Scene& s) { s.w.join(Ball{.a = s.floor_, .b = s.wall}); }},
       {"ball.a", [](Scene& s) { s.w.join(Ball{.a = s.wall}); }},
-      {"ball.at", [](Scene& s) { s.w.join(Ball{.a = s.a, .at = {0, std::nan(""), 0}}); }},
-      {"hinge.axis", [](Scene& s) { s.w.join(Hinge{.a = s.a, .axis = {0, 0, 2}}); }},
-      {"hinge.axis", [](Scene& s) { s.w.join(Hinge{.a = s.a, .axis = {0, 0, 0}}); }},
-      {"slider.axis", [](Scene& s) { s.w.join(Slider{.a = s.a, .axis = {nan, 0, 0}}); }},
-      {"plane.normal", [](Scene& s) { s.w.join(Plane{.a = s.a, .normal = {0, 3, 0}}); }},
+      {"ball.at",
+       [](Scene& s) {
+         s.w.join(Ball{.a = s.a, .at = {0, std::nan(""), 0}});
+       }},
+      {"hinge.axis",
+       [](Scene& s) {
+         s.w.join(Hinge{.a = s.a, .axis = {0, 0, 2}});
+       }},
+      {"hinge.axis",
+       [](Scene& s) {
+         s.w.join(Hinge{.a = s.a, .axis = {0, 0, 0}});
+       }},
+      {"slider.axis",
+       [](Scene& s) {
+         s.w.join(Slider{.a = s.a, .axis = {nan, 0, 0}});
+       }},
+      {"plane.normal",
+       [](Scene& s) {
+         s.w.join(Plane{.a = s.a, .normal = {0, 3, 0}});
+       }},
       {"hinge.limit.low", [](Scene& s) { s.w.join(Hinge{.a = s.a, .limit = {.low = 1, .high = -1}}); }},
       {"hinge.limit.high", [](Scene& s) { s.w.join(Hinge{.a = s.a, .limit = {.high = nan}}); }},
       {"slider.limit.low", [](Scene& s) { s.w.join(Slider{.a = s.a, .limit = {.low = infinity, .high = infinity}}); }},
@@ -124,21 +160,36 @@ TEST(Definitions, Joints) {
       {"slider.drive.max_speed", [](Scene& s) { s.w.join(Slider{.a = s.a, .drive = {.max_speed = nan}}); }},
       {"slider.drive.mode", [](Scene& s) { s.w.join(Slider{.a = s.a, .drive = {.mode = DriveMode(9)}}); }},
       {"rope.length", [](Scene& s) { s.w.join(Rope{.a = s.a, .length = -1}); }},
-      {"bar.at_b", [](Scene& s) { s.w.join(Bar{.a = s.a, .b = s.b, .at_a = {1, 1, 1}, .at_b = {1, 1, 1}}); }},
-      {"bar.at_a", [](Scene& s) { s.w.join(Bar{.a = s.a, .b = s.b, .at_a = {std::nan(""), 1, 1}}); }},
+      {"bar.at_b",
+       [](Scene& s) {
+         s.w.join(Bar{.a = s.a, .b = s.b, .at_a = {1, 1, 1}, .at_b = {1, 1, 1}});
+       }},
+      {"bar.at_a",
+       [](Scene& s) {
+         s.w.join(Bar{.a = s.a, .b = s.b, .at_a = {std::nan(""), 1, 1}});
+       }},
   });
 }
 
 TEST(Definitions, ForcesAndSensors) {
   expect_refused({
-      {"acceleration", [](Scene& s) { s.w.add(Gravity{{0, nan, 0}}); }},
+      {"acceleration",
+       [](Scene& s) {
+         s.w.add(Gravity{{0, nan, 0}});
+       }},
       {"linear", [](Scene& s) { s.w.add(Drag{.linear = -1}); }},
       {"angular_per_radius", [](Scene& s) { s.w.add(Drag{.angular_per_radius = nan}); }},
       {"body", [](Scene& s) { s.w.add(Drag{.body = s.dead}); }},
       {"body", [](Scene& s) { s.w.add(Thruster{}); }},
       {"body", [](Scene& s) { s.w.add(Thruster{.body = s.dead}); }},
-      {"force", [](Scene& s) { s.w.add(Thruster{.body = s.a, .force = {nan, 0, 0}}); }},
-      {"at", [](Scene& s) { s.w.add(Thruster{.body = s.a, .at = {infinity, 0, 0}}); }},
+      {"force",
+       [](Scene& s) {
+         s.w.add(Thruster{.body = s.a, .force = {nan, 0, 0}});
+       }},
+      {"at",
+       [](Scene& s) {
+         s.w.add(Thruster{.body = s.a, .at = {infinity, 0, 0}});
+       }},
       {"softening", [](Scene& s) { s.w.add(NBody{.softening = -1}); }},
       {"gravitational_constant", [](Scene& s) { s.w.add(NBody{.gravitational_constant = infinity}); }},
       {"a", [](Scene& s) { s.w.add(Sensor{}); }},
@@ -155,17 +206,44 @@ TEST(Definitions, Changes) {
       {"joint", [](Scene& s) { s.w.remove(s.dead_joint); }},
       {"force", [](Scene& s) { s.w.remove(s.dead_force); }},
       {"sensor", [](Scene& s) { s.w.remove(s.dead_sensor); }},
-      {"body", [](Scene& s) { s.w.push(s.dead, {1, 0, 0}, {}); }},
-      {"force", [](Scene& s) { s.w.push(s.a, {nan, 0, 0}, {}); }},
-      {"at", [](Scene& s) { s.w.push(s.a, {1, 0, 0}, {std::nan(""), 0, 0}); }},
+      {"body",
+       [](Scene& s) {
+         s.w.push(s.dead, {1, 0, 0}, {});
+       }},
+      {"force",
+       [](Scene& s) {
+         s.w.push(s.a, {nan, 0, 0}, {});
+       }},
+      {"at",
+       [](Scene& s) {
+         s.w.push(s.a, {1, 0, 0}, {std::nan(""), 0, 0});
+       }},
       {"body", [](Scene& s) { s.w.place(s.dead, {}); }},
-      {"at", [](Scene& s) { s.w.place(s.a, {{0, std::nan(""), 0}, {}}); }},
-      {"turn", [](Scene& s) { s.w.place(s.a, {{}, {1, 1, 0, 0}}); }},
+      {"at",
+       [](Scene& s) {
+         s.w.place(s.a, {{0, std::nan(""), 0}, {}});
+       }},
+      {"turn",
+       [](Scene& s) {
+         s.w.place(s.a, {{}, {1, 1, 0, 0}});
+       }},
       {"body", [](Scene& s) { s.w.set_velocity(s.dead, {}, {}); }},
-      {"body", [](Scene& s) { s.w.set_velocity(s.wall, {1, 0, 0}, {}); }},
-      {"velocity", [](Scene& s) { s.w.set_velocity(s.a, {nan, 0, 0}, {}); }},
-      {"spin", [](Scene& s) { s.w.set_velocity(s.a, {}, {0, infinity, 0}); }},
-      {"spin", [](Scene& s) { s.w.set_velocity(s.a, {}, {0, huge, 0}); }},
+      {"body",
+       [](Scene& s) {
+         s.w.set_velocity(s.wall, {1, 0, 0}, {});
+       }},
+      {"velocity",
+       [](Scene& s) {
+         s.w.set_velocity(s.a, {nan, 0, 0}, {});
+       }},
+      {"spin",
+       [](Scene& s) {
+         s.w.set_velocity(s.a, {}, {0, infinity, 0});
+       }},
+      {"spin",
+       [](Scene& s) {
+         s.w.set_velocity(s.a, {}, {0, huge, 0});
+       }},
       {"joint", [](Scene& s) { s.w.set_drive(s.dead_joint, {}); }},
       {"joint", [](Scene& s) { s.w.set_drive(s.ball, {}); }},
       {"body", [](Scene& s) { s.w.wake(s.dead); }},
@@ -176,7 +254,10 @@ TEST(Definitions, Changes) {
       {"sensor", [](Scene& s) { s.w[s.dead_sensor]; }},
       {"sensor", [](Scene& s) { s.w.value(s.dead_sensor); }},
       {"a", [](Scene& s) { s.w.touching(s.dead, s.a); }},
-      {"direction", [](Scene& s) { s.w.ray_cast({}, {0, 2, 0}, 1); }},
+      {"direction",
+       [](Scene& s) {
+         s.w.ray_cast({}, {0, 2, 0}, 1);
+       }},
   });
 }
 

@@ -10,8 +10,13 @@ TEST(View, OfABody) {
   World w(steady());
   const Quat turn = axis_angle(normalize(Vec3{1, 2, 3}), Real(0.7));
   const std::vector<Vec3> corners{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};  // its centre of mass is (.5, .5, .5)
-  const Body b = w.add({.shape = hull(corners), .at = {1, 2, 3}, .turn = turn, .velocity = {1, 0, 0}, .spin = {0, 0, 2},
-                        .density = 6, .name = "corner"});
+  const Body b = w.add({.shape = hull(corners),
+                        .at = {1, 2, 3},
+                        .turn = turn,
+                        .velocity = {1, 0, 0},
+                        .spin = {0, 0, 2},
+                        .density = 6,
+                        .name = "corner"});
   const BodyView v = w[b];
   expect_near(v.pose().p, Pos{1, 2, 3}, 1e-6);
   EXPECT_NEAR(std::abs(v.pose().q.w), turn.w, 1e-6);
@@ -107,8 +112,8 @@ TEST(Ray, HitsEveryShape) {
   const struct {
     Shape shape;
     double top;  // above the shape's origin
-  } cases[] = {{sphere(2), 2}, {capsule(Real(0.5), 3), 2}, {box({2, 4, 6}), 2}, {half_space(), 0},
-               {prism(6, 2, 3), 1.5}, {pyramid(4, 2, 4), 3}, {cylinder(1, 5), 2.5}};
+  } cases[] = {{sphere(2), 2},        {capsule(Real(0.5), 3), 2}, {box({2, 4, 6}), 2},  {half_space(), 0},
+               {prism(6, 2, 3), 1.5}, {pyramid(4, 2, 4), 3},      {cylinder(1, 5), 2.5}};
   for (const auto& c : cases) {
     for (const double height : {0.0, 1e6}) {
       World w(steady());

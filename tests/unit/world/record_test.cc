@@ -33,8 +33,10 @@ Bytes record_everything(World& w, int steps = 40) {
     if (i == 19) w.remove(hinge);
     if (i == 21) w.remove(a);
     if (i == 23) w.remove(ground);
-    if (i % 10 == 9) w.step(0.003);
-    else w.step();
+    if (i % 10 == 9)
+      w.step(0.003);
+    else
+      w.step();
     recorder.after_step();
   }
   return recorder.bytes();

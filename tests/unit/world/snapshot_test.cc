@@ -23,12 +23,16 @@ struct Everything {
     const Body gone = w.add(cube({9, 9, 9}));
     ball = w.add({.shape = sphere(Real(0.5)), .at = {0, 3, 0}, .material = {.restitution = Real(0.7)}, .name = "ball"});
     w.remove(gone);
-    lift = w.add({.shape = box({3, Real(0.2), 3}), .at = {5, 1, 0}, .velocity = {0, Real(0.1), 0}, .motion = Motion::kinematic});
+    lift = w.add(
+        {.shape = box({3, Real(0.2), 3}), .at = {5, 1, 0}, .velocity = {0, Real(0.1), 0}, .motion = Motion::kinematic});
     box_on_lift = w.add(cube({5, 1.6, 0}));
-    thrown = w.add({.shape = capsule(Real(0.3), 1), .at = {-3, 1, 0}, .velocity = {3, 2, 0}, .spin = {1, 2, 3}, .mass = 2});
+    thrown =
+        w.add({.shape = capsule(Real(0.3), 1), .at = {-3, 1, 0}, .velocity = {3, 2, 0}, .spin = {1, 2, 3}, .mass = 2});
     sleeper = w.add(cube({0, 0.5, 6}));
     const Body arm = w.add({.shape = prism(6, Real(0.2), 2), .at = {-6, 4, 0}, .mass = 1});
-    hinge = w.join(Hinge{.b = arm, .at = {-6, 5, 0}, .limit = {.low = -1, .high = 2},
+    hinge = w.join(Hinge{.b = arm,
+                         .at = {-6, 5, 0},
+                         .limit = {.low = -1, .high = 2},
                          .drive = {.mode = DriveMode::servo, .target = 1, .force = 9}});
     const Body bob = w.add(cube({-6, 2, 0}));
     w.join(Rope{.a = arm, .b = bob, .at_a = {-6, 3, 0}, .at_b = {-6, 2.5, 0}});
@@ -144,7 +148,8 @@ TEST(Snapshot, RefusesForeignData) {
   EXPECT_EQ(refusal(data), "version: is 99, this program reads 1");
   data = World().save();
   data[12] = std::byte{sizeof(Real) == 4 ? 8 : 4};
-  EXPECT_EQ(refusal(data), std::string("precision: is ") + (sizeof(Real) == 4 ? "double" : "float") + ", this program has the other one");
+  EXPECT_EQ(refusal(data), std::string("precision: is ") + (sizeof(Real) == 4 ? "double" : "float") +
+                               ", this program has the other one");
 }
 
 }
