@@ -49,7 +49,7 @@ struct World::Impl {
   std::vector<std::uint32_t> changed;       // proxies that are new, moved or gone since the last search for pairs
   std::vector<PlaneProxy> planes;           // the half spaces, ascending
   std::vector<ProxyPair> never_touch;       // bodies joined by a joint that forbids it, sorted
-  bool never_touch_grew = false;            // since the last search for pairs
+  bool joints_changed = false;              // since that list was made
   std::vector<std::uint32_t> awake, smooth, kinematic, active_joints;
   std::vector<std::uint32_t> active_pairs;  // rows of `pairs` collided in this sub-step, ascending
   std::vector<Pose> shape_poses;            // by body slot
@@ -105,6 +105,7 @@ struct World::Impl {
   void require(Body, const char* what) const;
   void require(Joint, const char* what) const;
 
+  // upkeep.cc
   const Geometry& geometry_of(std::uint32_t body) const { return geometry[bodies.geometry[body]].geometry(); }
   bool is_half_space(std::uint32_t body) const { return geometry_of(body).kind == ShapeKind::half_space; }
   void touch_proxy(std::uint32_t body, bool force);  // keeps the fat box around the body, notes a change

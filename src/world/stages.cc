@@ -51,6 +51,8 @@ void find_pairs(World::Impl& w) {
   std::sort(w.changed.begin(), w.changed.end());
   w.changed.erase(std::unique(w.changed.begin(), w.changed.end()), w.changed.end());
   if (w.changed.empty()) return;
+  const bool joints_changed = std::exchange(w.joints_changed, false);
+  if (joints_changed) w.list_never_touch();
   std::vector<ProxyPair> found, with_planes;
   w.broad->update(w.proxies, w.changed, found);
   find_plane_pairs(w.planes, w.proxies, w.changed, with_planes);
@@ -63,8 +65,7 @@ void find_pairs(World::Impl& w) {
   merge_pairs(w.pairs, found);
   std::vector<EndedPair> ended;
   end_pairs(w.pairs, w.proxies, w.planes, ended);
-  if (w.never_touch_grew) erase_pairs(w.pairs, ended, forbidden);
-  w.never_touch_grew = false;
+  if (joints_changed) erase_pairs(w.pairs, ended, forbidden);
   std::sort(ended.begin(), ended.end(), [](const EndedPair& p, const EndedPair& q) { return p.key < q.key; });
   for (const EndedPair& pair : ended) {
     w.events.ended.push_back({handle(w, pair.key.a), handle(w, pair.key.b)});
