@@ -8,5 +8,8 @@ namespace sudar::verify {
 std::vector<Case> free_bodies();
 std::vector<Case> rotations();
 std::vector<Case> pendulums();
+std::vector<Case> impacts();
+std::vector<Case> friction();
+std::vector<Case> rolling();
 
 }
