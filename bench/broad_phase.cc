@@ -1,8 +1,9 @@
-// What a broad phase costs, against the number of proxies and against the spread of their sizes, as CSV:
-//   bench_broad_phase > broad_phase.csv
-// Cubes in a larger cube, of which they fill a tenth, drift in straight lines and turn back at its walls. As in a
-// world, a proxy changes when the cube leaves its enlarged box: about one in ten does in each update. Processor time,
-// mean over the updates of a run. tools/broad_phase_plot.py draws it.
+// What each broad phase costs, as CSV: against the number of proxies, the spread of their sizes and the share of them
+// that moves, and in a lattice like a stack of boxes.
+//   bench_broad_phase [KIND…] > docs/broad_phase.csv     then tools/broad_phase_plot.py draws it
+// Cubes drift in straight lines and turn back. As in a world, a proxy changes when its cube leaves its enlarged box,
+// which of those that move about one in seven does in each update. Processor time, mean over the updates of a run, the
+// better of two runs.
 #include "collision/broad/broad.h"
 
 #include <algorithm>
@@ -28,25 +29,33 @@ class Random {  // splitmix64 (Steele, Lea, Flood 2014)
   std::uint64_t state_ = 1;
 };
 
-double seconds_of_processor() { return double(std::clock()) / CLOCKS_PER_SEC; }
+struct Scene {
+  const char* plot;
+  std::size_t n;
+  double spread = 4;     // largest size / smallest; sizes are log-uniform about 1
+  double moving = 1;     // share
+  bool lattice = false;  // side by side, trembling; else anywhere in a cube of which they fill a tenth
+};
 
 class Swarm {
  public:
-  // `spread`: largest size / smallest; sizes are log-uniform about 1.
-  Swarm(std::size_t n, double spread) {
+  explicit Swarm(const Scene& s) {
     double volume = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      size_.push_back(std::pow(spread, random_.between(-0.5, 0.5)));
+    for (std::size_t i = 0; i < s.n; ++i) {
+      size_.push_back(s.lattice ? 1 : std::pow(s.spread, random_.between(-0.5, 0.5)));
       volume += size_.back() * size_.back() * size_.back();
     }
-    half_ = 0.5 * std::cbrt(10 * volume);
-    for (std::size_t i = 0; i < n; ++i) {
-      at_.push_back({inside(), inside(), inside()});
-      way_.push_back(0.01 * size_[i] * Vec3d{random_.between(-1, 1), random_.between(-1, 1), random_.between(-1, 1)});
-      const Pos at = at_[i];
+    half_ = s.lattice ? 0.1 : 0.5 * std::cbrt(10 * volume);
+    const auto edge = std::size_t(std::ceil(std::cbrt(double(s.n))));
+    for (std::size_t i = 0; i < s.n; ++i) {
+      home_.push_back(s.lattice ? Pos{double(i % edge), double(i / edge % edge), double(i / edge / edge)} : Pos{});
+      at_.push_back(home_[i] + Vec3d{random_.between(-half_, half_), random_.between(-half_, half_),
+                                     random_.between(-half_, half_)});
+      const double speed = random_.between(0, 1) < s.moving ? 0.01 * size_[i] : 0;
+      way_.push_back(speed * Vec3d{random_.between(-1, 1), random_.between(-1, 1), random_.between(-1, 1)});
       proxies.push_back({cube(i, 1.1), {}, true, false});
-      at_[i] = at + random_.between(0, 5) * way_[i];  // else all would change in the same updates
       changed.push_back(std::uint32_t(i));
+      at_[i] = at_[i] + random_.between(0, 5) * way_[i];  // else all would change in the same updates
     }
   }
 
@@ -55,7 +64,8 @@ class Swarm {
     for (std::size_t i = 0; i < at_.size(); ++i) {
       at_[i] = at_[i] + way_[i];
       for (int k = 0; k < 3; ++k) {
-        if (std::abs(at_[i][k]) > half_ && at_[i][k] * way_[i][k] > 0) way_[i][k] *= -1;
+        const double out = at_[i][k] - home_[i][k];
+        if (std::abs(out) > half_ && out * way_[i][k] > 0) way_[i][k] *= -1;
       }
       if (contains(proxies[i].box, cube(i, 1))) continue;
       proxies[i].box = cube(i, 1.1);
@@ -67,52 +77,70 @@ class Swarm {
   std::vector<std::uint32_t> changed;
 
  private:
-  double inside() { return random_.between(-half_, half_); }
   Box cube(std::size_t i, double scale) const {
     const double h = 0.5 * scale * size_[i];
     return {at_[i] - Vec3d{h, h, h}, at_[i] + Vec3d{h, h, h}};
   }
 
   Random random_;
-  double half_ = 0;
+  double half_ = 0;  // how far from home
   std::vector<double> size_;
-  std::vector<Pos> at_;
+  std::vector<Pos> home_, at_;
   std::vector<Vec3d> way_;
 };
 
-void measure(const char* plot, Broad kind, std::size_t n, double spread) {
+double seconds_of_processor() { return double(std::clock()) / CLOCKS_PER_SEC; }
+
+struct Cost {
+  double first = 0, update = 0;      // µs
+  double changed = 0, reported = 0;  // per update
+};
+
+Cost run(Broad kind, const Scene& scene) {
   constexpr int warm_up = 10;
-  const int updates = n <= 10000 ? 60 : 20;
-  Swarm swarm(n, spread);
+  const int updates = scene.n <= 10000 ? 60 : 20;
+  Swarm swarm(scene);
   const auto broad = make_broad_phase(kind);
   std::vector<ProxyPair> pairs;
-  double first = 0, time = 0, changed = 0, reported = 0;
+  Cost cost;
   for (int i = 0; i < warm_up + updates; ++i) {
     pairs.clear();
     const double start = seconds_of_processor();
     broad->update(swarm.proxies, swarm.changed, pairs);
-    const double taken = seconds_of_processor() - start;
-    if (i == 0) first = taken;
-    if (i >= warm_up) time += taken, changed += double(swarm.changed.size()), reported += double(pairs.size());
+    const double taken = 1e6 * (seconds_of_processor() - start);
+    if (i == 0) cost.first = taken;
+    if (i >= warm_up) {
+      cost.update += taken / updates;
+      cost.changed += double(swarm.changed.size()) / updates;
+      cost.reported += double(pairs.size()) / updates;
+    }
     swarm.move();
   }
-  std::printf("%s,%s,%zu,%g,%.0f,%.0f,%.1f,%.1f\n", plot, names(kind)[int(kind)], n, spread, changed / updates,
-              reported / updates, 1e6 * first, 1e6 * time / updates);
+  return cost;
+}
+
+void measure(Broad kind, const Scene& scene) {
+  const Cost a = run(kind, scene), b = run(kind, scene);
+  std::printf("%s,%s,%zu,%g,%g,%.0f,%.0f,%.1f,%.1f\n", scene.plot, names(kind)[int(kind)], scene.n, scene.spread,
+              scene.moving, a.changed, a.reported, std::min(a.first, b.first), std::min(a.update, b.update));
   std::fflush(stdout);
 }
 
 }
 
 int main(int argc, char** argv) {  // arguments: the kinds to measure; none: all
-  std::printf("plot,broad,n,spread,changed,pairs,first_us,update_us\n");
+  std::printf("plot,broad,n,spread,moving,changed,pairs,first_us,update_us\n");
   for (const char* const* name = names(Broad{}); *name != nullptr; ++name) {
     if (argc > 1 && std::none_of(argv + 1, argv + argc, [&](const char* a) { return !std::strcmp(a, *name); }))
       continue;
     const auto kind = Broad(name - names(Broad{}));
     for (const std::size_t n : {100u, 316u, 1000u, 3162u, 10000u, 31623u, 100000u}) {
       if (kind == Broad::brute && n > 31623) continue;  // minutes
-      measure("n", kind, n, 4);
+      measure(kind, {.plot = "n", .n = n});
+      measure(kind, {.plot = "lattice", .n = n, .spread = 1, .lattice = true});
     }
-    for (double spread = 1; spread <= 1e7; spread *= 10) measure("spread", kind, 10000, spread);
+    for (double spread = 1; spread <= 1e7; spread *= 10)
+      measure(kind, {.plot = "spread", .n = 10000, .spread = spread});
+    for (const double moving : {0.001, 0.01, 0.1, 1.0}) measure(kind, {.plot = "moving", .n = 31623, .moving = moving});
   }
 }
