@@ -7,7 +7,7 @@ namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
 
-// An event costs about 0.1 µs; beyond this number per end point, entering everything anew is cheaper.
+// Per end point. With 100,000 boxes, updates given up after 2, 16 and never took 0.3, 1.7 and 2.5 s.
 constexpr std::size_t most_passings = 8;
 
 template <class Event>

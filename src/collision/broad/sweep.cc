@@ -4,7 +4,7 @@ namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
 
-// A passing costs about 1 ns; beyond this number per end point, entering everything anew is cheaper.
+// Per end point; more happen when everything jumps. Uniform motion of 100,000 boxes was fastest without giving up.
 constexpr std::size_t most_passings = 500;
 
 }
