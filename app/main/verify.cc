@@ -9,7 +9,6 @@
 #include "main/command.h"
 #include "main/progress.h"
 #include "main/scene_options.h"
-#include "verify/report.h"
 
 namespace sudar::app {
 
@@ -21,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 struct VerifyOptions {
   std::vector<std::string> cases, set;
-  std::string solver, report;
+  std::string solver;
   bool quick = false, full = false, list = false, json = false;
   unsigned jobs = 0;
 
@@ -90,7 +89,6 @@ int verify(const VerifyOptions& v) {
     for (const Result& r : results) print(r);
     std::printf("\n%s\n", tally.text().c_str());
   }
-  if (!v.report.empty()) write_report(v.report, results);
   return tally.passed == tally.cases ? 0 : 1;
 }
 
@@ -107,7 +105,6 @@ void add_verify(CLI::App& app, Action& chosen) {
   sub->add_option("--solver", v->solver, "one solver only: " + choices(names(Solver{})));
   sub->add_option("--jobs", v->jobs, "cases at once; else as many as the processor has cores");
   sub->add_flag("--json", v->json, "the results as JSON (docs/verification.md)");
-  sub->add_option("--report", v->report, "folder for an HTML report");
   sub->callback([&chosen, v] { chosen = [v](const Catalogue&) { return verify(*v); }; });
 }
 

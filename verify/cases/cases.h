@@ -11,5 +11,7 @@ std::vector<Case> pendulums();
 std::vector<Case> impacts();
 std::vector<Case> friction();
 std::vector<Case> rolling();
+std::vector<Case> toppling();
+std::vector<Case> stacks();
 
 }

@@ -1,7 +1,0 @@
-#include "verify/report.h"
-
-namespace sudar::verify {
-
-void write_report(const std::string&, const std::vector<Result>&) {}
-
-}
