@@ -151,9 +151,10 @@ TEST(Recording, FollowsAMovedWorldAndRefusesLoad) {
   World w(sleepy());
   w.add(Gravity{});
   const Body b = w.add(cube({0, 0, 0}));
+  World moved;  // made first: a world outlives its recorder
   Recorder recorder(w, "");
   w.step(), recorder.after_step();
-  World moved = std::move(w);
+  moved = std::move(w);
   EXPECT_THROW(moved.load(moved.save()), Error);
   moved.push(b, {5, 0, 0}, {0, 0, 0});
   moved.step(), recorder.after_step();
