@@ -184,7 +184,13 @@ struct Plane {  // keeps a point of b in a plane of a
   Vec3 normal{0, 1, 0};
   bool collide = false;
 };
-using JointDef = std::variant<Bar, Rope, Ball, Hinge, Slider, Fixed, Plane>;
+struct Muscle {  // drives the distance between two points
+  Body a{}, b{};
+  Pos at_a{}, at_b{};
+  Drive drive{};
+  bool collide = false;
+};
+using JointDef = std::variant<Bar, Rope, Ball, Hinge, Slider, Fixed, Plane, Muscle>;
 
 template <class V, Like<Bar> T>
 void describe(V& v, T& d) {
@@ -197,6 +203,13 @@ void describe(V& v, T& d) {
   v("a", d.a, any), v("b", d.b, any);
   v("at_a", d.at_a, any), v("at_b", d.at_b, any);
   v("length", d.length, not_negative);
+  v("collide", d.collide, any);
+}
+template <class V, Like<Muscle> T>
+void describe(V& v, T& d) {
+  v("a", d.a, any), v("b", d.b, any);
+  v("at_a", d.at_a, any), v("at_b", d.at_b, any);
+  v("drive", d.drive, any);
   v("collide", d.collide, any);
 }
 template <class V, class T>

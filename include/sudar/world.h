@@ -127,7 +127,7 @@ class JointView {
   Pos anchor_a() const;      // the two anchors as they are now
   Pos anchor_b() const;
   Real gap() const;          // how far the joint is from holding, m; of a rope or slider also how far beyond its limit
-  Real coordinate() const;   // angle of a hinge [rad, unwound], way of a slider, length of a rope [m]; else 0
+  Real coordinate() const;   // angle of a hinge [rad, unwound], way of a slider, length of a rope or muscle [m]; else 0
   Wrench load() const;       // that the joint exerted on its body b in the last sub-step, about anchor b
 
  private:
@@ -154,9 +154,10 @@ class World {
   void remove(ForceId);
   void remove(SensorId);
   void push(Body, const Vec3& force, const Pos& at);           // N, during the next step() only
+  void twist(Body, const Vec3& torque);                        // N·m, world axes, during the next step() only
   void place(Body, const Pose&);                               // of the shape's frame
   void set_velocity(Body, const Vec3& velocity, const Vec3& spin);
-  void set_drive(Joint, const Drive&);                         // of a hinge or slider
+  void set_drive(Joint, const Drive&);                         // of a hinge, slider or muscle
   void set_config(const Config&);
   void wake(Body);
 

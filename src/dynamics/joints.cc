@@ -42,6 +42,8 @@ template <>
 struct PartsOf<Fixed> : Assembly<Nothing, Point, Lock> {};
 template <>
 struct PartsOf<Plane> : Assembly<Nothing, Offset> {};
+template <>
+struct PartsOf<Muscle> : Assembly<Span> {};
 
 // The joint's frame in world axes at creation: x along its axis.
 Quat basis_along(const Vec3& axis) {
@@ -63,6 +65,7 @@ Placement placement(const Rope& d) {
 Placement placement(const Ball& d) { return {d.at, d.at, {1, 0, 0}, {}}; }
 Placement placement(const Fixed& d) { return {d.at, d.at, {1, 0, 0}, {}}; }
 Placement placement(const Plane& d) { return {d.at, d.at, d.normal, {}}; }
+Placement placement(const Muscle& d) { return {d.at_a, d.at_b, {1, 0, 0}, {}}; }
 Placement placement(const Hinge& d) { return {d.at, d.at, d.axis, d.limit}; }
 Placement placement(const Slider& d) { return {d.at, d.at, d.axis, d.limit}; }
 
@@ -147,6 +150,7 @@ Real gap_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
 const Drive* drive_of(const JointDef& def) {
   if (const auto* hinge = std::get_if<Hinge>(&def)) return &hinge->drive;
   if (const auto* slider = std::get_if<Slider>(&def)) return &slider->drive;
+  if (const auto* muscle = std::get_if<Muscle>(&def)) return &muscle->drive;
   return nullptr;
 }
 Drive* drive_of(JointDef& def) { return const_cast<Drive*>(drive_of(std::as_const(def))); }

@@ -95,6 +95,7 @@ struct World::Impl {
   void perform(const RemoveForce&);
   void perform(const RemoveSensor&);
   void perform(const Push&);
+  void perform(const Torque&);
   void perform(const Place&);
   void perform(const SetVelocity&);
   void perform(const SetDrive&);

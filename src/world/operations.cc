@@ -77,6 +77,13 @@ void World::Impl::perform(const Push& op) {
   wake_island(i);
 }
 
+void World::Impl::perform(const Torque& op) {
+  require(op.body, "body");
+  validate("", op);
+  bodies.torque[op.body.index] += op.torque;
+  wake_island(op.body.index);
+}
+
 void World::Impl::perform(const Place& op) {
   require(op.body, "body");
   validate("", op);
@@ -146,7 +153,7 @@ void World::Impl::perform(const SetDrive& op) {
   require(op.joint, "joint");
   validate("", op);
   Drive* drive = drive_of(joints.definition[op.joint.index]);
-  if (drive == nullptr) throw Error("joint", "has no drive: only hinges and sliders have");
+  if (drive == nullptr) throw Error("joint", "has no drive: only hinges, sliders and muscles have");
   *drive = op.drive;
   for (const std::uint32_t body : {joints.a[op.joint.index], joints.b[op.joint.index]}) {
     if (body != no_body) wake_island(body);

@@ -21,6 +21,7 @@ struct SetVelocity { Body body; Vec3 velocity, spin; };
 struct SetDrive { Joint joint; Drive drive; };
 struct SetConfig { Config config; };
 struct Wake { Body body; };
+struct Torque { Body body; Vec3 torque; };
 
 template <class V, class T>
   requires(Like<T, AddBody> || Like<T, AddForce> || Like<T, AddSensor> || Like<T, AddJoint>)
@@ -40,6 +41,8 @@ template <class V, Like<Place> T>
 void describe(V& v, T& o) { v("body", o.body, any), v("at", o.at, any), v("turn", o.turn, unit_length); }
 template <class V, Like<SetVelocity> T>
 void describe(V& v, T& o) { v("body", o.body, any), v("velocity", o.velocity, any), v("spin", o.spin, any); }
+template <class V, Like<Torque> T>
+void describe(V& v, T& o) { v("body", o.body, any), v("torque", o.torque, any); }
 template <class V, Like<SetDrive> T>
 void describe(V& v, T& o) { v("joint", o.joint, any), v("drive", o.drive, any); }
 template <class V, Like<SetConfig> T>

@@ -53,7 +53,7 @@ void check_body(const BodyDef& def) {
 // --- joints ---
 
 const char* kind_of(const JointDef& def) {
-  constexpr const char* names[] = {"bar", "rope", "ball", "hinge", "slider", "fixed", "plane"};
+  constexpr const char* names[] = {"bar", "rope", "ball", "hinge", "slider", "fixed", "plane", "muscle"};
   return names[def.index()];
 }
 

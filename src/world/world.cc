@@ -28,6 +28,7 @@ void World::remove(Joint j) { impl_->operate(RemoveJoint{j}); }
 void World::remove(ForceId f) { impl_->operate(RemoveForce{f}); }
 void World::remove(SensorId s) { impl_->operate(RemoveSensor{s}); }
 void World::push(Body b, const Vec3& force, const Pos& at) { impl_->operate(Push{b, force, at}); }
+void World::twist(Body b, const Vec3& torque) { impl_->operate(Torque{b, torque}); }
 void World::place(Body b, const Pose& pose) { impl_->operate(Place{b, pose.p, pose.q}); }
 void World::set_velocity(Body b, const Vec3& v, const Vec3& spin) { impl_->operate(SetVelocity{b, v, spin}); }
 void World::set_drive(Joint j, const Drive& drive) { impl_->operate(SetDrive{j, drive}); }

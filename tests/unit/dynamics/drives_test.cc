@@ -174,5 +174,24 @@ TEST(Drive, PushesBothBodies) {
   EXPECT_NEAR(w[b].velocity().x, 3, 1e-3);
 }
 
+// A muscle is a servo of the distance between its two points: it lifts the weight that its force can, and holds it.
+TEST(Muscle, LiftsAndHolds) {
+  for (const double force : {9.0, 15.0}) {
+    World w(steady(0.01));
+    w.add(Gravity{});
+    const Body b = w.add(cube({0, -2, 0}));
+    const Joint j = w.join(
+        Muscle{.b = b, .at_b = {0, -2, 0}, .drive = {.mode = DriveMode::servo, .target = 1, .force = Real(force)}});
+    EXPECT_NEAR(w[j].coordinate(), 2, 1e-6);
+    step(w, 400);
+    if (force > 9.81) {
+      EXPECT_NEAR(w[j].coordinate(), 1, 1e-3);
+      expect_near(w[j].load().force, Vec3d{0, 9.81, 0}, 0.05);
+    } else {
+      EXPECT_GT(w[j].coordinate(), 5);
+    }
+  }
+}
+
 }
 }

@@ -206,6 +206,16 @@ TEST(Push, ActsForOneStep) {
   }
 }
 
+TEST(Twist, ActsForOneStep) {
+  World w(steady(0.01, 5));
+  const Body b = w.add({.shape = sphere(0.5), .mass = 2});
+  w.twist(b, {0, 0, 6});
+  w.step();
+  w.step();
+  expect_near(w[b].velocity(), Vec3d{}, 1e-8);
+  expect_near(w[b].spin(), Vec3d{0, 0, 6 * 0.01 / (0.4 * 2 * 0.25)}, 1e-6);
+}
+
 // k multiplies the simulated step; sub-steps divide it.
 TEST(TimeFactor, IsSimulatedTimePerStep) {
   Config fast = steady(0.01), slow = steady(0.03);

@@ -23,6 +23,11 @@ const Kind kinds[] = {
     {"slider", [](Body a, Body b, const Pos& p) { return Slider{.a = a, .b = b, .at = p, .axis = y_axis}; }, 5e-3},
     {"fixed", [](Body a, Body b, const Pos& p) { return Fixed{.a = a, .b = b, .at = p}; }, 2e-3},
     {"plane", [](Body a, Body b, const Pos& p) { return Plane{.a = a, .b = b, .at = p, .normal = y_axis}; }, 2e-3},
+    {"muscle",
+     [](Body a, Body b, const Pos& p) {
+       return Muscle{.a = a, .b = b, .at_a = p, .at_b = p + y_axis, .drive = {DriveMode::servo, Real(0.5), 3}};
+     },
+     2e-3},
 };
 
 // Two different bodies that tumble freely, tied together, keep their momentum; the joint holds. Angular momentum is

@@ -218,6 +218,14 @@ TEST(Definitions, Changes) {
        [](Scene& s) {
          s.w.push(s.a, {1, 0, 0}, {std::nan(""), 0, 0});
        }},
+      {"body",
+       [](Scene& s) {
+         s.w.twist(s.dead, {1, 0, 0});
+       }},
+      {"torque",
+       [](Scene& s) {
+         s.w.twist(s.a, {0, nan, 0});
+       }},
       {"body", [](Scene& s) { s.w.place(s.dead, {}); }},
       {"at",
        [](Scene& s) {

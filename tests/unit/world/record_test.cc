@@ -19,6 +19,7 @@ Bytes record_everything(World& w, int steps = 40) {
   const Joint hinge = w.join(Hinge{.a = a, .b = b, .at = {2, 2, 0}});
   for (int i = 0; i < steps; ++i) {
     if (i == 3) w.push(before, {0, 0, 99}, {0, 3, 0});
+    if (i == 4) w.twist(before, {5, 0, 0});
     if (i == 5) w.place(before, {{-2, 1, 0}, axis_angle(Vec3{0, 1, 0}, Real(1))});
     if (i == 7) w.set_velocity(a, {1, 2, 3}, {3, 2, 1});
     if (i == 9) w.set_drive(hinge, {.mode = DriveMode::speed, .target = 3, .force = 10});
