@@ -82,7 +82,12 @@ struct SolarSystem : Scenario {
       const double distance = horizontal_distance(w[planets[k]].center(), w[sun].center());
       swing = max(swing, abs(distance / data[i].orbit - 1));
     }
-    c.below("largest change of a distance from the sun", swing, 0.02);
+    c.below("largest change of a distance from the sun", swing, expected_swing());
+  }
+  // A lone orbit, well started, is a circle but for rounding, here over 1000 orbits; otherwise ω h / 2, and neighbours.
+  double expected_swing() const {
+    if (count > 1 || !fixed_sun || !staggered) return 0.02;
+    return sizeof(Real) == 4 ? 1e-4 : 1e-6;
   }
   void check(const World& w, Check& c) override {
     for (int i = 0; i < min(count, 4); ++i) {

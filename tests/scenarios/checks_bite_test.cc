@@ -30,8 +30,7 @@ void add_air(World& w) { w.add(Drag{.linear = 0.1, .angular = 0.1}); }
 void slope(World& w) { w.add(Gravity{{0.05, 0, 0}}); }  // half a degree: more than nothing resists
 
 // What works in every scene: no impulses in contacts and joints, or too few; no joints, no gravity, air where there is
-// none; and every parameter that begins
-// with one of these words is set as low as it goes.
+// none; and every parameter that begins with one of these words is set as low as it goes.
 std::vector<Removal> removals(const std::vector<Params::Entry>& params) {
   std::vector<Removal> all = {
       {"no passes", {.config = {{"impulse_2007.collision_passes", "0"}, {"impulse_2007.contact_passes", "0"}}}},
@@ -40,7 +39,7 @@ std::vector<Removal> removals(const std::vector<Params::Entry>& params) {
       {"no gravity", {}, remove_gravity},
       {"air", {}, add_air},
   };
-  for (const char* word : {"friction", "restitution", "speed", "spin", "force"}) {
+  for (const char* word : {"friction", "restitution", "speed", "spin", "steering", "force"}) {
     Settings lowest;
     for (const Params::Entry& p : params) {
       if (p.name.starts_with(word)) lowest.set[p.name] = p.low;
@@ -50,16 +49,23 @@ std::vector<Removal> removals(const std::vector<Params::Entry>& params) {
   return all;
 }
 
-void expect_bites(const ScenarioEntry& entry) {
-  Session whole(entry);
+void expect_bites(const ScenarioEntry& entry, const Settings& settings) {
+  Session whole(entry, settings);
   std::set<std::string> unbroken;  // checks that have not failed yet
   for (const Check::Entry& e : run(whole).entries()) unbroken.insert(e.name);
   EXPECT_FALSE(unbroken.empty());
   for (const Removal& removal : removals(whole.params())) {
-    Session session(entry, removal.settings);
+    Settings poorer = settings;
+    poorer.config = removal.settings.config;
+    for (const auto& [name, value] : removal.settings.set) poorer.set[name] = value;
+    Session session(entry, poorer);
     removal.change(session.world());
-    for (const Check::Entry& e : run(session).entries()) {
-      if (e.pass == false) unbroken.erase(e.name);
+    try {
+      for (const Check::Entry& e : run(session).entries()) {
+        if (e.pass == false) unbroken.erase(e.name);
+      }
+    } catch (const Error&) {
+      // The scenario looks at a joint that was taken away: this run tells nothing.
     }
     if (unbroken.empty()) return;
   }
@@ -68,20 +74,24 @@ void expect_bites(const ScenarioEntry& entry) {
 
 class Bite : public testing::Test {
  public:
-  explicit Bite(const ScenarioEntry& entry) : entry_(entry) {}
-  void TestBody() override { expect_bites(entry_); }
+  Bite(const ScenarioEntry& entry, const Settings& settings) : entry_(entry), settings_(settings) {}
+  void TestBody() override { expect_bites(entry_, settings_); }
 
  private:
   const ScenarioEntry& entry_;
+  Settings settings_;
 };
+
+void add_test(const ScenarioEntry& entry, const char* what, const Settings& settings) {
+  testing::RegisterTest(entry.name, what, nullptr, nullptr, __FILE__, __LINE__,
+                        [&entry, settings]() -> testing::Test* { return new Bite(entry, settings); });
+}
 
 }
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  for (const ScenarioEntry* entry : scenarios().all()) {
-    testing::RegisterTest(entry->name, "checks_bite", nullptr, nullptr, __FILE__, __LINE__,
-                          [entry]() -> testing::Test* { return new Bite(*entry); });
-  }
+  for (const ScenarioEntry* entry : scenarios().all()) add_test(*entry, "checks_bite", {});
+  for (const Variant& v : variants()) add_test(scenarios().find(v.scenario), v.what, v.settings);
   return RUN_ALL_TESTS();
 }

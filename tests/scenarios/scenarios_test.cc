@@ -70,19 +70,19 @@ void add_test(const ScenarioEntry& entry, const char* what, std::function<void()
                         [body]() -> testing::Test* { return new Run(body); });
 }
 
-// What thesis.md states about other parameters than the default ones.
-struct Variant {
-  const char *scenario, *what;
-  Settings settings;
-};
-const Variant variants[] = {
-    {"wall", "stands_for_a_minute", {.set = {{"ball", 0}}, .seconds = 60}},
-    {"friction", "slides_at_0.560", {.set = {{"friction", 0.56}}}},
-    {"friction", "slides_at_0.575", {.set = {{"friction", 0.575}}}},
-    {"friction", "holds_at_0.580", {.set = {{"friction", 0.58}}}},
-    {"train", "holds_at_660", {.set = {{"force", 660}}}},
-    {"train", "slides_at_690", {.set = {{"force", 690}}}},
-};
+// A key that the scenario names has an effect in the very next step.
+void expect_answers(const ScenarioEntry& entry) {
+  Session start(entry);
+  for (int i = 0; i < 100; ++i) start.step();
+  const Bytes saved = start.save();
+  const auto after_key = [&](const char* key) {
+    Session session = Session::load(scenarios(), saved);
+    if (key != nullptr) session.input.set({key});
+    session.step();
+    return session.world().hash();
+  };
+  for (const KeyHelp& k : start.scenario().keys()) EXPECT_NE(after_key(k.key), after_key(nullptr)) << k.key;
+}
 
 }
 
@@ -93,8 +93,9 @@ int main(int argc, char** argv) {
     add_test(*entry, "passes_without_sleep", [entry] { expect_passes(*entry, awake); });
     add_test(*entry, "restores", [entry] { expect_restores(*entry, {}), expect_restores(*entry, awake); });
     add_test(*entry, "replays", [entry] { expect_replays(*entry); });
+    add_test(*entry, "answers_keys", [entry] { expect_answers(*entry); });
   }
-  for (const Variant& v : variants) {
+  for (const Variant& v : variants()) {
     const ScenarioEntry& entry = scenarios().find(v.scenario);
     add_test(entry, v.what, [&entry, &v] { expect_passes(entry, v.settings); });
   }
