@@ -9,10 +9,15 @@ namespace sudar::app {
 
 namespace {
 
-Json parameters_of(const ScenarioEntry& entry) {
-  const std::unique_ptr<Scenario, void (*)(Scenario*)> scenario(entry.create(), entry.destroy);
+Json keys_of(const Scenario& scenario) {
+  Json list = Json::array();
+  for (const KeyHelp& k : scenario.keys()) list.push_back({{"key", k.key}, {"does", k.does}});
+  return list;
+}
+
+Json parameters_of(Scenario& scenario) {
   Params params;
-  scenario->params(params);
+  scenario.params(params);
   const char* kinds[] = {"integer", "real", "boolean"};
   Json list = Json::array();
   for (const Params::Entry& p : params.entries()) {
@@ -30,11 +35,13 @@ int list(const Catalogue& catalogue, bool json) {
   if (json) {
     Json all = Json::array();
     for (const ScenarioEntry* e : catalogue.all()) {
+      const std::unique_ptr<Scenario, void (*)(Scenario*)> scenario(e->create(), e->destroy);
       all.push_back({{"name", e->name},
                      {"place", e->place},
                      {"about", e->about},
                      {"seconds", e->seconds},
-                     {"parameters", parameters_of(*e)}});
+                     {"parameters", parameters_of(*scenario)},
+                     {"keys", keys_of(*scenario)}});
     }
     std::cout << all.dump(2) << '\n';
     return 0;
