@@ -42,6 +42,6 @@ struct Train : Scenario {
       c.near("way of the locomotive", moved, exact, 0.1 * exact, "m");  // it takes 0.3 s to break loose
     }
   }
-  std::optional<Camera> camera() const override { return Camera{{12, 26, 92}, {46, -3, 5}}; }
+  std::optional<Camera> camera() const override { return Camera{{14, 26, 100}, {45, -2, 3}}; }
 };
 SUDAR_SCENARIO(Train, "Friction/Train")

@@ -77,6 +77,6 @@ struct Billiards : Scenario {
     c.above("balls that moved", moved, 0.5 * double(balls.size()));
   }
   std::vector<KeyHelp> keys() const override { return {{"up", "shoot the cue ball along the view"}}; }
-  std::optional<Camera> camera() const override { return Camera{{22, 40, 34}, {0, 0, -2}}; }
+  std::optional<Camera> camera() const override { return Camera{{24, 46, 42}, {0, 0, 2}}; }
 };
 SUDAR_SCENARIO(Billiards, "Impacts/Billiards")

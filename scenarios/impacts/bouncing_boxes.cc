@@ -43,7 +43,7 @@ struct BouncingBoxes : Scenario {
   void check(const World&, Check& c) override {
     for (int i = 0; i < boxes; ++i) {
       const double exact = square(restitution(i)) * height;
-      c.near("apex with e = " + std::to_string(restitution(i)), apex[std::size_t(i)], exact, 0.003 * exact + 0.01, "m");
+      c.near("apex with e = 1 − 2^−" + std::to_string(i), apex[std::size_t(i)], exact, 0.003 * exact + 0.01, "m");
     }
   }
   std::optional<Camera> camera() const override { return Camera{{7, 3, 40}, {0, -3, 0}}; }

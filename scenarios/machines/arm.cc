@@ -75,6 +75,6 @@ struct Arm : Scenario {
             {"e", "lengthen the wrist's muscle"},
             {"d", "shorten it"}};
   }
-  std::optional<Camera> camera() const override { return Camera{{16, 4, 34}, {12, -5, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{18, 4, 40}, {12, -1.5, 0}}; }
 };
 SUDAR_SCENARIO(Arm, "Machines/Arm")

@@ -38,6 +38,10 @@ struct Servo : Scenario {
                         .filter = {.mask = 0},
                         .sleeps = false});
     }
+    // The goals, for the eye alone.
+    for (const Task& task : tasks) {
+      w.add({.shape = sphere(0.3), .at = task.to, .filter = {.mask = 0}, .motion = Motion::fixed, .name = "goal"});
+    }
     w.add(Thruster{.body = boxes[count - 1], .force = {0, -thrust, 0}});
   }
 
@@ -70,6 +74,6 @@ struct Servo : Scenario {
       c.below("box " + std::to_string(i + 1) + ": off its goal", off, 0.01, "m");
     }
   }
-  std::optional<Camera> camera() const override { return Camera{{3, 2, 27}, {0, -3, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{8, 0, 44}, {4, -5, 0}}; }
 };
 SUDAR_SCENARIO(Servo, "Machines/Servo")

@@ -142,6 +142,6 @@ struct Vehicle : Scenario {
   std::vector<KeyHelp> keys() const override {
     return {{"up", "drive forward"}, {"down", "drive back"}, {"left", "turn left"}, {"right", "turn right"}};
   }
-  std::optional<Camera> camera() const override { return Camera{{140, 115, 195}, {-55, 0, 10}}; }
+  std::optional<Camera> camera() const override { return Camera{{140, 115, 215}, {-65, 0, 5}}; }
 };
 SUDAR_SCENARIO(Vehicle, "Machines/Vehicle")

@@ -15,8 +15,8 @@ struct SolarSystem : Scenario {
     const char* name;
     double orbit, mass, drawn;  // 10⁹ m, 10²⁴ kg, 10⁹ m; NASA planetary fact sheet
   };
-  static constexpr Planet data[] = {{"Mercury", 57.909, 0.33010, 5},  {"Venus", 108.210, 4.8673, 9},
-                                    {"Earth", 149.598, 5.9722, 9},    {"Mars", 227.956, 0.64169, 7},
+  static constexpr Planet data[] = {{"Mercury", 57.909, 0.33010, 8},  {"Venus", 108.210, 4.8673, 14},
+                                    {"Earth", 149.598, 5.9722, 14},   {"Mars", 227.956, 0.64169, 11},
                                     {"Jupiter", 778.479, 1898.1, 40}, {"Saturn", 1432.041, 568.32, 35},
                                     {"Uranus", 2867.043, 86.811, 25}, {"Neptune", 4514.953, 102.41, 25}};
   static constexpr double sun_mass = 1988500, g = 6.6743e-14;  // of (10⁹ m)³ / (10²⁴ kg s²)
@@ -46,7 +46,7 @@ struct SolarSystem : Scenario {
   }
   void build(World& w) override {
     w.add(NBody{.gravitational_constant = Real(g)});
-    sun = w.add({.shape = sphere(15),
+    sun = w.add({.shape = sphere(30),
                  .mass = Real(sun_mass),
                  .motion = fixed_sun ? Motion::fixed : Motion::dynamic,
                  .name = "Sun"});
@@ -96,6 +96,6 @@ struct SolarSystem : Scenario {
              (count == 1 ? 1e-4 : 2e-3) * period, "days");  // together they disturb each other
     }
   }
-  std::optional<Camera> camera() const override { return Camera{{80, 420, 460}, {0, 0, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{60, 170, 480}, {0, -10, 0}}; }
 };
 SUDAR_SCENARIO(SolarSystem, "Motion/Solar system")

@@ -9,6 +9,8 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import functions
 import layers
+import pictures
+import scene_pages
 import state_index
 
 GOOD = {
@@ -121,6 +123,32 @@ class StateIndex(unittest.TestCase):
     def test_a_field_without_meaning(self):
         _, complaints = self.fields('\nFIELD(Pos, position, "m", "solve")\n')
         self.assertEqual(complaints, ["src/dynamics/fields.def:2: not FIELD(type, name, unit, stage) // meaning"])
+
+
+class Pages(unittest.TestCase):
+    PAGE = "| sag | < 1 m | {} | {} s |\n| hits | {} ± 0.1 s | 2 | 3 s |\n| `planks` | {} | 3 … 60 | s |\n"
+
+    def test_findings_may_change(self):
+        self.assertEqual(scene_pages.stable(self.PAGE.format(0.7, 3, 2, 15)),
+                         scene_pages.stable(self.PAGE.format(0.8, 4, 2.1, 15)))
+
+    def test_limits_and_parameters_may_not(self):
+        page = self.PAGE.format(0.7, 3, 2, 15)
+        for other in (page.replace("< 1 m", "< 2 m"), self.PAGE.format(0.7, 3, 2, 16), page.replace("sag", "sink")):
+            self.assertNotEqual(scene_pages.stable(other), scene_pages.stable(page))
+
+    def test_runs_that_the_text_names(self):
+        self.assertEqual(scene_pages.runs_of("with `--set a=1\n--set b=2` it falls, `--json` prints"), ["", "--set a=1 --set b=2"])
+
+    def test_numbers(self):
+        self.assertEqual([scene_pages.number(x) for x in (None, 0.1, 1.25e-7, 7.6e9)], ["–", "0.1", "1.25e-7", "7.6e9"])
+
+    def test_pictures_with_their_commands(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "page.md"
+            page.write_text("![A wall](a/wall.png)\n*`sudar render wall --keys \"0:up 1:none\"`*\n\n![other](b.png)\n")
+            self.assertEqual(pictures.pictures(page),
+                             [(page.parent / "a/wall.png", ["render", "wall", "--keys", "0:up 1:none"])])
 
 
 class Globals(unittest.TestCase):
