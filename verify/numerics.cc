@@ -47,10 +47,13 @@ double piece(const std::function<double(double)>& f, double a, double b) {
   return sum * half;
 }
 
-double refine(const std::function<double(double)>& f, double a, double b, double whole, double tolerance, int depth) {
+double refine(const std::function<double(double)>& f, double a, double b, double whole, double tolerance, int depth,
+              int& pieces) {
   const double middle = (a + b) / 2, left = piece(f, a, middle), right = piece(f, middle, b);
   if (depth == 0 || std::fabs(left + right - whole) <= tolerance) return left + right;
-  return refine(f, a, middle, left, tolerance / 2, depth - 1) + refine(f, middle, b, right, tolerance / 2, depth - 1);
+  if (++pieces > 20000) throw Error("integral", "does not converge: rounding or a singularity");
+  return refine(f, a, middle, left, tolerance / 2, depth - 1, pieces) +
+         refine(f, middle, b, right, tolerance / 2, depth - 1, pieces);
 }
 
 }
@@ -58,7 +61,12 @@ double refine(const std::function<double(double)>& f, double a, double b, double
 double integral(const std::function<double(double)>& f, double a, double b) {
   const double whole = piece(f, a, b);
   const double size = piece([&](double x) { return std::fabs(f(x)); }, a, b);
-  return refine(f, a, b, whole, 1e-13 * size, 40);
+  int pieces = 0;
+  return refine(f, a, b, whole, 1e-13 * size, 40, pieces);
+}
+
+double time_from_rest(const std::function<double(double)>& rate, double way) {
+  return integral([&](double s) { return 2 * s / rate(s * s); }, 0, std::sqrt(way));
 }
 
 double root(const std::function<double(double)>& f, double a, double b) {

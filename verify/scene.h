@@ -18,6 +18,12 @@ inline Body add_ground(World& w, const Material& m, const Pos& at = {}, const Qu
 
 inline void add_gravity(World& w, double g) { w.add(Gravity{{0, Real(-g), 0}}); }
 
+// Structures whose equilibrium allows less play than the default overlap of 10 mm.
+inline Config with_small_slop(Config c) {
+  c.impulse_2007.slop = Real(0.0005);
+  return c;
+}
+
 // The tolerance in single or in double precision.
 inline constexpr double by_precision(double single, double twice) { return sizeof(Real) == 4 ? single : twice; }
 

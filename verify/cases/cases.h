@@ -13,5 +13,6 @@ std::vector<Case> friction();
 std::vector<Case> rolling();
 std::vector<Case> toppling();
 std::vector<Case> stacks();
+std::vector<Case> arches();
 
 }

@@ -52,13 +52,13 @@ void linear_drag(Run& run) {
   const double sum = r * (1 - rn) / (1 - r), terminal = g * h * r / (1 - r);
   const double x = h * vx * sum, y = h * (vy * sum - terminal * (n - sum));
   const double vx_end = vx * rn, vy_end = vy * rn - terminal * (1 - rn);
-  const double share = by_precision(1e-5, 1e-11), way = share * std::hypot(x, y), speed = share * std::hypot(vx_end, vy_end);
+  const double share = by_precision(1e-5, 1e-11);
   const Pos at = w[b].center();
   const Vec3d v = convert<double>(w[b].velocity());
-  run.check("x, discrete law", "m", x, at.x, way);
-  run.check("y, discrete law", "m", y, at.y, way);
-  run.check("vx, discrete law", "m/s", vx_end, v.x, speed);
-  run.check("vy, discrete law", "m/s", vy_end, v.y, speed);
+  run.relative("x, discrete law", "m", x, at.x, share);
+  run.relative("y, discrete law", "m", y, at.y, share);
+  run.relative("vx, discrete law", "m/s", vx_end, v.x, share);
+  run.relative("vy, discrete law", "m/s", vy_end, v.y, share);
   run.deviation(std::hypot(at.x - exact(t).first, at.y - exact(t).second));
 }
 
