@@ -61,6 +61,6 @@ struct Sticks : Scenario {
       }
     }
   }
-  std::optional<Camera> camera() const override { return Camera{{45, 12, 60}, {0, -8, 10}}; }
+  std::optional<Camera> camera() const override { return Camera{{-36, 12, 64}, {0, -7, 8}}; }
 };
 SUDAR_SCENARIO(Sticks, "Friction/Sticks")

@@ -60,6 +60,6 @@ struct Dominoes : Scenario {
     c.that("one after the other", in_order);
     c.below("the last fell after", fell.back() < 0 ? infinite : fell.back(), 60, "s");
   }
-  std::optional<Camera> camera() const override { return Camera{{12, 26, 36}, {-2, -3, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{14, 28, 39}, {0, -3, 0}}; }
 };
 SUDAR_SCENARIO(Dominoes, "Stacking/Dominoes")
