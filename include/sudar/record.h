@@ -8,8 +8,8 @@ namespace sudar::inline SUDAR_PRECISION {
 
 class Recorder {
  public:
-  // Starts now: operations on the world are kept from here on. The world may be moved, and must outlive the recorder;
-  // meanwhile it refuses load().
+  // Starts now: operations on the world are kept from here on, load() like any other. The world may be moved, and must
+  // outlive the recorder.
   Recorder(World&, std::string title);
   ~Recorder();                          // stops
   Recorder(const Recorder&) = delete;

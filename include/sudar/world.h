@@ -191,7 +191,8 @@ class World {
 
   // --- state: a world restored from save() goes on with the same bits ---
   Bytes save() const;
-  void load(std::span<const std::byte>);  // replaces everything; throws Error and changes nothing when the data is bad
+  // Replaces everything; throws Error and changes nothing when the data is bad. Recorded, as whatever changes a world.
+  void load(std::span<const std::byte>);
   std::uint64_t hash() const;             // of everything that can change a later bit
   std::uint64_t pose_hash() const;        // of poses and velocities
 

@@ -119,6 +119,8 @@ template <Number T>
 void read(Reader& r, T& x) { x = r.value<T>(); }
 inline void write(Writer& w, const std::string& s) { w.text(s); }
 inline void read(Reader& r, std::string& s) { s = r.text(); }
+inline void write(Writer& w, const std::vector<std::byte>& x) { w.array(x); }
+inline void read(Reader& r, std::vector<std::byte>& x) { r.array(x); }
 template <class Tag>
 void write(Writer& w, const Handle<Tag>& h) { w.value(h.index), w.value(h.generation); }
 template <class Tag>

@@ -531,6 +531,8 @@ class SubStep {
 }
 
 Impulse2007Solver::Impulse2007Solver() : memory_(std::make_unique<Memory>()) {}
+Impulse2007Solver::Impulse2007Solver(Impulse2007Solver&&) noexcept = default;
+Impulse2007Solver& Impulse2007Solver::operator=(Impulse2007Solver&&) noexcept = default;
 Impulse2007Solver::~Impulse2007Solver() = default;
 
 void Impulse2007Solver::sub_step(const SolveInput& input, Bodies& bodies, Joints& joints, Contacts& contacts,

@@ -47,6 +47,8 @@ struct SolveReport {
 class Impulse2007Solver {
  public:
   Impulse2007Solver();
+  Impulse2007Solver(Impulse2007Solver&&) noexcept;
+  Impulse2007Solver& operator=(Impulse2007Solver&&) noexcept;
   ~Impulse2007Solver();
   // Advances bodies and impulses by one sub-step.
   void sub_step(const SolveInput&, Bodies&, Joints&, Contacts&, SolveReport&);

@@ -101,6 +101,7 @@ struct World::Impl {
   void perform(const SetDrive&);
   void perform(const SetConfig&);
   void perform(const Wake&);
+  void perform(const Load&);  // snapshot.cc
 
   // Throws Error(what, …) unless the handle is alive.
   void require(Body, const char* what) const;

@@ -22,6 +22,7 @@ struct SetDrive { Joint joint; Drive drive; };
 struct SetConfig { Config config; };
 struct Wake { Body body; };
 struct Torque { Body body; Vec3 torque; };
+struct Load { Bytes state; };
 
 template <class V, class T>
   requires(Like<T, AddBody> || Like<T, AddForce> || Like<T, AddSensor> || Like<T, AddJoint>)
@@ -47,6 +48,8 @@ template <class V, Like<SetDrive> T>
 void describe(V& v, T& o) { v("joint", o.joint, any), v("drive", o.drive, any); }
 template <class V, Like<SetConfig> T>
 void describe(V& v, T& o) { v("config", o.config, any); }
+template <class V, Like<Load> T>
+void describe(V& v, T& o) { v("state", o.state, any); }
 
 using Operation = std::variant<std::monostate
 #define OP(name) , name

@@ -138,9 +138,10 @@ Bytes World::save() const {
   return w.take_sealed();
 }
 
-void World::load(std::span<const std::byte> bytes) {
-  if (impl_->recording) throw Error("data", "cannot be loaded into a world that is being recorded");
-  Reader r(bytes);
+void World::load(std::span<const std::byte> bytes) { impl_->operate(Load{{bytes.begin(), bytes.end()}}); }
+
+void World::Impl::perform(const Load& op) {
+  Reader r(op.state);
   if (r.left() < sizeof magic || r.value<std::uint64_t>() != magic) throw Error("data", "is not a snapshot of a world");
   if (const auto v = r.value<std::uint32_t>(); v != version) {
     throw Error("version", "is " + std::to_string(v) + ", this program reads " + std::to_string(version));
@@ -148,11 +149,14 @@ void World::load(std::span<const std::byte> bytes) {
   if (const auto p = r.value<std::uint32_t>(); p != precision) {
     throw Error("precision", std::string("is ") + (p == 4 ? "float" : "double") + ", this program has the other one");
   }
-  r = Reader(unseal(bytes), r.position());
-  auto fresh = std::make_unique<Impl>(Config{});
-  read(r, fresh->geometry);
-  fresh->read_state(r);
-  impl_ = std::move(fresh);
+  r = Reader(unseal(op.state), r.position());
+  Impl fresh{Config{}};
+  read(r, fresh.geometry);
+  fresh.read_state(r);
+  // Whoever records goes on recording.
+  fresh.recording = recording;
+  fresh.log = std::move(log);
+  *this = std::move(fresh);
 }
 
 std::uint64_t World::hash() const { return impl_->hash(); }
