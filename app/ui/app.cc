@@ -7,6 +7,7 @@
 
 #include "main/files.h"
 #include "ui/filming.h"
+#include "ui/gui.h"
 #include "ui/hand.h"
 #include "ui/panels.h"
 #include "ui/status.h"
@@ -28,7 +29,9 @@ class App {
     Clock::time_point last = Clock::now();
     while (!window_.closing()) {
       const double due = frame_length() - std::chrono::duration<double>(Clock::now() - last).count();
-      take(window_.wait(std::max(0.0, due)));
+      const std::vector<InputEvent> events = window_.wait(std::max(0.0, due));
+      if (!events.empty()) events_left_ = 2;  // what follows may show a picture later
+      gui_.take(events);
       const double passed = std::chrono::duration<double>(Clock::now() - last).count();
       if (passed < frame_length() && events_left_ == 0) continue;
       last = Clock::now();
@@ -44,16 +47,10 @@ class App {
   // 60 pictures a second; where nothing moves, 10.
   double frame_length() const { return controls_.view().paused && events_left_ == 0 ? 0.1 : 1.0 / 60; }
 
-  void take(const std::vector<InputEvent>& events) {
-    // A panel needs a few pictures to answer an event.
-    if (!events.empty()) events_left_ = 4;
-    for (const InputEvent& e : events) hand_.take(e, area_);
-  }
-
   void draw() {
     controls_.look(simulation_.view(), double(area_.width) / std::max(1, area_.height));
-    window_.begin_frame();
-    area_ = panels_.draw(window_.width(), window_.height(), 1 / frame_);
+    draw_panels();
+    while (gui_.pending()) gui_.end(), draw_panels();
     events_left_ = std::max(0, events_left_ - 1);
     if (area_.width > 0 && area_.height > 0 && controls_.moment()) {
       if (!canvas_ || canvas_->width() != area_.width || canvas_->height() != area_.height) {
@@ -68,7 +65,14 @@ class App {
       renderer_.draw(scene, controls_.camera.camera(), style, canvas_->target());
       canvas_->show(area_.x, window_.height() - area_.y - area_.height);
     }
-    window_.end_frame();
+    gui_.draw();
+    window_.show();
+  }
+
+  void draw_panels() {
+    const std::optional<InputEvent> event = gui_.begin();
+    area_ = panels_.draw(window_.width(), window_.height(), 1 / frame_);
+    if (event) hand_.take(*event, area_);
   }
 
   // A beautiful picture where that is quick, a plain one where it is not. Each change is given time to be judged, and
@@ -148,6 +152,7 @@ class App {
   }
 
   Window window_;  // first: all that draws needs its context
+  Gui gui_{window_};
   Renderer renderer_;
   std::optional<Canvas> canvas_;
   std::unique_ptr<Filming> movie_;

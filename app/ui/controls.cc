@@ -38,11 +38,7 @@ bool has_word(std::string_view text, std::string_view name) {
 
 void Controls::start(const ScenarioEntry& entry) { simulation_.start(entry, {}); }
 
-void Controls::restart_with(const std::map<std::string, double>& parameters) {
-  Settings settings;
-  settings.set = parameters;
-  simulation_.restart(std::move(settings));
-}
+void Controls::restart_with(const std::map<std::string, double>& parameters) { simulation_.restart(parameters); }
 
 void Controls::neighbour(int way) {
   const auto& all = catalogue_.all();

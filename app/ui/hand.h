@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/controls.h"
-#include "ui/window.h"
+#include "ui/input.h"
 
 namespace sudar::ui {
 

@@ -33,8 +33,8 @@ std::string lower(std::string text) {
   return text;
 }
 
-// How well a scenario answers a search: 0 not at all, most where its name is what was typed. Enter takes the best, so that
-// "wall" is not "seven cubes between walls".
+// How well a scenario answers a search: 0 not at all, most where its name is what was typed. Enter takes the best, so
+// that "wall" is not "seven cubes between walls".
 int match(const ScenarioEntry& e, const std::string& search) {
   const std::string name = lower(e.name);
   if (name == search) return 4;

@@ -4,21 +4,48 @@
 #include <filesystem>
 
 #include "main/files.h"
+#include "main/report.h"
 
 namespace sudar::ui {
 
-Run::Run(const ScenarioEntry& entry, Settings settings)
-    : settings_(std::move(settings)),
-      session_(std::make_unique<Session>(entry, settings_)),
-      playback_(app::play(*session_)) {}
+Run::Run(const ScenarioEntry& entry, Settings settings) : settings_(std::move(settings)) {
+  take(std::make_unique<Session>(entry, settings_));
+}
+
+void Run::take(std::unique_ptr<Session> session) {
+  session_ = std::move(session);
+  playback_ = app::play(*session_);
+}
+
+void Run::restart(const std::map<std::string, double>& parameters) {
+  Settings settings = settings_;
+  settings.set = parameters;
+  auto fresh = std::make_unique<Session>(session_->entry(), settings);
+  if (recorder_) {  // the recorder keeps to its world: the new one's state moves in there
+    world().load(fresh->world().save());
+    fresh->world() = std::move(world());
+  }
+  fresh->input = session_->input;  // what is held stays held
+  release();
+  settings_ = std::move(settings);
+  take(std::move(fresh));
+}
 
 void Run::step() {
   pull();
   session_->step();
-  if (recorder_) recorder_->after_step();
+  if (recorder_) recorder_->after_step(), ++recorded_;
 }
 
-void Run::set_config(const Config& config) { world().set_config(config); }
+void Run::set_config(const Config& config) {
+  const auto was = fields_of(world().config()), is = fields_of(config);
+  world().set_config(config);
+  for (std::size_t i = 0; i < is.size(); ++i) {
+    if (is[i] == was[i]) continue;
+    std::erase_if(settings_.config, [&](const auto& field) { return field.first == is[i].first; });
+    settings_.config.push_back(is[i]);
+  }
+}
 
 void Run::hold(std::vector<std::string> keys, const Vec3& view) {
   session_->input.set(std::move(keys));
@@ -81,14 +108,7 @@ void Run::pull() {
   world().wake(grabbed_->body);
   world().push(grabbed_->body, inverse(mobility) * wanted, at);
   if (twist_ == Vec3{}) return;
-  // A couple of two opposite forces that brings the spin to the wanted one with the same ω.
-  const Vec3 torque = view.inertia() * ((twist_ - view.spin()) * omega);
-  const Real size = length(torque);
-  if (size <= 0) return;
-  const Vec3 lever = any_perpendicular(torque / size) * view.shape().bounding_radius();
-  const Vec3 force = cross(torque, lever) / (2 * dot(lever, lever));
-  world().push(grabbed_->body, force, view.center() + lever);
-  world().push(grabbed_->body, -force, view.center() - lever);
+  world().twist(grabbed_->body, view.inertia() * ((twist_ - view.spin()) * omega));  // with the same ω
 }
 
 Body Run::shoot(const Ray& ray, double scale) {
@@ -117,7 +137,9 @@ void Run::remove(Body body) {
 }
 
 void Run::start_recording() {
-  if (!recorder_) recorder_ = std::make_unique<Recorder>(world(), session_->entry().name);
+  if (recorder_) return;
+  recorder_ = std::make_unique<Recorder>(world(), session_->entry().name);
+  recorded_ = 0;
 }
 
 std::string Run::stop_recording() {
@@ -125,7 +147,7 @@ std::string Run::stop_recording() {
   const std::string file = app::unused_name(session_->entry().name, ".sudar");
   app::write_file(file, recorder_->bytes());
   recorder_.reset();
-  return file;
+  return file + ", " + std::to_string(recorded_) + " steps, state " + app::hex(world().hash());
 }
 
 }

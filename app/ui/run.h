@@ -22,7 +22,9 @@ class Run {
   Run(const ScenarioEntry&, Settings);  // throws Error
 
   void step();
-  void set_config(const Config&);  // of the world as it is, at once
+  // From the start, with these parameters and the settings made so far. A recording goes on: it holds that, too.
+  void restart(const std::map<std::string, double>& parameters);
+  void set_config(const Config&);  // of the world as it is, at once, and after a restart
   void hold(std::vector<std::string> keys, const Vec3& view);
 
   // A critically damped spring between the body's point under the mouse and the mouse.
@@ -36,7 +38,7 @@ class Run {
   void remove(Body);
 
   void start_recording();
-  std::string stop_recording();  // writes a file, returns its name; empty: nothing was recorded
+  std::string stop_recording();  // writes a file, returns what it holds, in words; empty: nothing was recorded
   bool recording() const { return recorder_ != nullptr; }
 
   const Session& session() const { return *session_; }
@@ -54,6 +56,7 @@ class Run {
     double depth;  // from the eye along the view, m
     Pos target;
   };
+  void take(std::unique_ptr<Session>);
   void pull();  // one step's push
   World& world() { return session_->world(); }
 
@@ -61,6 +64,7 @@ class Run {
   std::unique_ptr<Session> session_;
   std::unique_ptr<app::Playback> playback_;
   std::unique_ptr<Recorder> recorder_;
+  std::int64_t recorded_ = 0;  // steps
   std::optional<Grab> grabbed_;
   Vec3 twist_{};
 };

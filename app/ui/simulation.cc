@@ -44,9 +44,15 @@ void Simulation::start(const ScenarioEntry& entry, Settings settings) {
   enqueue([this, &entry, settings = std::move(settings)] { begin(entry, settings); });
 }
 
-void Simulation::restart(std::optional<Settings> other) {
-  enqueue([this, other = std::move(other)] {
-    if (run_) begin(run_->session().entry(), other ? *other : run_->settings());
+void Simulation::restart() {
+  enqueue([this] {
+    if (run_) begin_anew(run_->settings().set);
+  });
+}
+
+void Simulation::restart(const std::map<std::string, double>& parameters) {
+  enqueue([this, parameters] {
+    if (run_) begin_anew(parameters);
   });
 }
 
@@ -91,9 +97,19 @@ void Simulation::fail(const std::string& what) {
 void Simulation::begin(const ScenarioEntry& entry, Settings settings) {
   auto fresh = std::make_unique<Run>(entry, std::move(settings));
   if (run_) {
-    if (const std::string file = run_->stop_recording(); !file.empty()) say("Recorded: " + file);
+    if (const std::string what = run_->stop_recording(); !what.empty()) say("Recorded: " + what);
   }
   run_ = std::move(fresh);
+  forget();
+}
+
+void Simulation::begin_anew(const std::map<std::string, double>& parameters) {
+  run_->restart(parameters);
+  if (run_->recording()) say("From the start; the recording goes on");
+  forget();
+}
+
+void Simulation::forget() {
   ++runs_;
   selected_ = {};
   single_steps_ = 0;

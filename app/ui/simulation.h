@@ -64,7 +64,8 @@ class Simulation {
   Simulation(const Simulation&) = delete;
 
   void start(const ScenarioEntry&, Settings);
-  void restart(std::optional<Settings> other = {});
+  void restart();
+  void restart(const std::map<std::string, double>& parameters);
   void pause(bool);
   void set_speed(double);
   void step(int n);   // of a paused run
@@ -86,6 +87,8 @@ class Simulation {
   void enqueue(std::function<void()>);
   void fail(const std::string& what);
   void begin(const ScenarioEntry&, Settings);
+  void begin_anew(const std::map<std::string, double>& parameters);
+  void forget();  // what belonged to the run before
   std::shared_ptr<Moment> moment() const;
   Clock::time_point due() const;
 

@@ -15,6 +15,8 @@ void StatusFile::write(const Controls& c, double frames_per_second) {
   const Camera& camera = c.camera.camera();
   nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
   for (const Params::Entry& p : m.params) parameters[p.name] = p.value;
+  nlohmann::ordered_json config = nlohmann::ordered_json::object();
+  for (const auto& [path, value] : fields_of(m.config)) config[path] = value;
   const nlohmann::ordered_json j = {
       {"scene", m.entry->name},
       {"run", m.run},
@@ -27,6 +29,7 @@ void StatusFile::write(const Controls& c, double frames_per_second) {
       {"contacts", m.contacts},
       {"energy", m.energy.total()},
       {"parameters", parameters},
+      {"config", config},
       {"selected", c.selected.null() ? -1 : std::int64_t(c.selected.index)},
       {"selected_at",
        m.selected ? nlohmann::ordered_json{m.selected->at.x, m.selected->at.y, m.selected->at.z} : nullptr},

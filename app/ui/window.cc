@@ -3,14 +3,9 @@
 #include <epoxy/gl.h>
 // epoxy first: GLFW takes the OpenGL that is there.
 #include <GLFW/glfw3.h>
-#include <backends/imgui_impl_glfw.h>
-#include <backends/imgui_impl_opengl3.h>
-#include <imgui.h>
 #include <sudar/base.h>
 
 #include <utility>
-
-#include "ui/fonts.h"
 
 namespace sudar::ui {
 
@@ -28,13 +23,6 @@ double pixels(GLFWwindow* w, double v) {
   glfwGetWindowSize(w, &in_window, &ignored);
   glfwGetFramebufferSize(w, &in_framebuffer, &ignored);
   return in_window > 0 ? v * in_framebuffer / in_window : v;
-}
-
-InputEvent mouse(GLFWwindow* w, InputEvent::Kind kind) {
-  InputEvent e{.kind = kind};
-  glfwGetCursorPos(w, &e.x, &e.y);
-  e.x = pixels(w, e.x), e.y = pixels(w, e.y);
-  return e;
 }
 
 }
@@ -59,8 +47,6 @@ Window::Window(int width, int height, const std::string& title) {
   glfwSetWindowUserPointer(window_, this);
   glfwGetFramebufferSize(window_, &width_, &height_);
   glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int mods) {
-    // Releases always pass: a key that went down before a field was entered must not stay down.
-    if (action != GLFW_RELEASE && ImGui::GetIO().WantTextInput) return;
     of(w).events_.push_back({.kind = InputEvent::Kind::key,
                              .code = key,
                              .down = action != GLFW_RELEASE,
@@ -68,27 +54,26 @@ Window::Window(int width, int height, const std::string& title) {
                              .mods = mods});
   });
   glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
-    if (action != GLFW_RELEASE && ImGui::GetIO().WantCaptureMouse) return;
-    InputEvent e = mouse(w, InputEvent::Kind::button);
-    e.code = button, e.down = action != GLFW_RELEASE, e.mods = mods;
-    of(w).events_.push_back(e);
+    of(w).events_.push_back({.kind = InputEvent::Kind::button,
+                             .code = button,
+                             .down = action != GLFW_RELEASE,
+                             .mods = mods,
+                             .x = of(w).x_,
+                             .y = of(w).y_});
   });
-  glfwSetCursorPosCallback(
-      window_, [](GLFWwindow* w, double, double) { of(w).events_.push_back(mouse(w, InputEvent::Kind::move)); });
+  glfwSetCursorPosCallback(window_, [](GLFWwindow* w, double x, double y) {
+    of(w).x_ = pixels(w, x), of(w).y_ = pixels(w, y);
+    of(w).events_.push_back({.kind = InputEvent::Kind::move, .x = of(w).x_, .y = of(w).y_});
+  });
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double clicks) {
-    if (!ImGui::GetIO().WantCaptureMouse) { of(w).events_.push_back({.kind = InputEvent::Kind::wheel, .y = clicks}); }
+    of(w).events_.push_back({.kind = InputEvent::Kind::wheel, .y = clicks});
   });
-  ImGui::CreateContext();
-  ImGui::GetIO().IniFilename = nullptr;  // the layout is fixed: there is nothing to remember
-  load_fonts();
-  ImGui_ImplGlfw_InitForOpenGL(window_, true);
-  ImGui_ImplOpenGL3_Init("#version 330");
+  glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) {
+    of(w).events_.push_back({.kind = InputEvent::Kind::character, .code = int(code)});
+  });
 }
 
 Window::~Window() {
-  ImGui_ImplOpenGL3_Shutdown();
-  ImGui_ImplGlfw_Shutdown();
-  ImGui::DestroyContext();
   glfwDestroyWindow(window_);
   glfwTerminate();
 }
@@ -99,19 +84,12 @@ std::vector<InputEvent> Window::wait(double seconds) {
   return std::exchange(events_, {});
 }
 
-void Window::begin_frame() {
-  ImGui_ImplOpenGL3_NewFrame();
-  ImGui_ImplGlfw_NewFrame();
-  ImGui::NewFrame();
-}
-
-void Window::end_frame() {
-  ImGui::Render();
+void Window::target() const {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, width_, height_);
-  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
-  glfwSwapBuffers(window_);
 }
+
+void Window::show() { glfwSwapBuffers(window_); }
 
 bool Window::closing() const { return glfwWindowShouldClose(window_); }
 void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }

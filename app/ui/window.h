@@ -1,23 +1,15 @@
-// One window with an OpenGL 3.3 context and Dear ImGui in it. Keys and mouse come as a queue: a key pressed and
-// released between two pictures is not lost, and what a panel takes for itself (typing, clicks on it) never gets in.
+// One window with an OpenGL 3.3 context. Keys and mouse come as a queue: a key pressed and released between two
+// pictures is not lost.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "ui/input.h"
+
 struct GLFWwindow;
 
 namespace sudar::ui {
-
-struct InputEvent {
-  enum class Kind { key, button, move, wheel };
-  Kind kind;
-  int code = 0;  // GLFW's key or button
-  bool down = false;
-  bool repeat = false;  // of a key that is held
-  int mods = 0;         // GLFW's
-  double x = 0, y = 0;  // of the mouse, in pixels of the framebuffer from the top left; wheel: clicks
-};
 
 class Window {
  public:
@@ -26,8 +18,8 @@ class Window {
   Window(const Window&) = delete;
 
   std::vector<InputEvent> wait(double seconds);  // for the next event, at most so long
-  void begin_frame();                            // of ImGui
-  void end_frame();                              // draws ImGui's over what there is, shows all
+  void target() const;                           // what is drawn from now on goes into the window
+  void show();                                   // what was drawn
   bool closing() const;
   void close();
   void set_title(const std::string&);
@@ -39,6 +31,7 @@ class Window {
   static Window& of(GLFWwindow*);
   GLFWwindow* window_ = nullptr;
   int width_ = 0, height_ = 0;
+  double x_ = 0, y_ = 0;  // of the mouse, as its last event told: asking for it now could be ahead of a click
   int windowed_[4] = {};  // place and size before it filled the screen
   std::vector<InputEvent> events_;
 };

@@ -22,6 +22,8 @@ class Catalogue {
 // Sets one described field by its path, e.g. "impulse_2007.contact_passes" to "20". Throws Error naming the field, the
 // value and what was expected.
 void set_field(Config&, std::string_view path, std::string_view value);
+// All described fields as set_field() takes them: path and value.
+std::vector<std::pair<std::string, std::string>> fields_of(const Config&);
 
 struct Settings {
   std::map<std::string, double> set{};                        // parameters

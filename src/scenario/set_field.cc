@@ -2,6 +2,7 @@
 #include <sudar/session.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -14,13 +15,16 @@ class FieldSetter {
       : path_(path), value_(value), prefix_(std::move(prefix)) {}
 
   template <class T, class Rule>
-    requires std::is_arithmetic_v<T>
+  requires std::is_arithmetic_v<T>
   void operator()(const char* name, T& field, const Rule&) {
     if (!is(name)) return;
     if constexpr (std::is_same_v<T, bool>) {
-      if (value_ == "true" || value_ == "1") field = true;
-      else if (value_ == "false" || value_ == "0") field = false;
-      else refuse("true or false");
+      if (value_ == "true" || value_ == "1")
+        field = true;
+      else if (value_ == "false" || value_ == "0")
+        field = false;
+      else
+        refuse("true or false");
     } else {
       char* end = nullptr;
       const double x = std::strtod(value_.c_str(), &end);
@@ -35,7 +39,7 @@ class FieldSetter {
     }
   }
   template <class E, class Rule>
-    requires std::is_enum_v<E>
+  requires std::is_enum_v<E>
   void operator()(const char* name, E& field, const Rule&) {
     if (!is(name)) return;
     std::string choices;
@@ -48,7 +52,7 @@ class FieldSetter {
     refuse("one of " + choices);
   }
   template <class T, class Rule>
-    requires requires(FieldSetter& v, T& x) { describe(v, x); }
+  requires requires(FieldSetter& v, T& x) { describe(v, x); }
   void operator()(const char* name, T& field, const Rule&) {
     FieldSetter inner(path_, value_, prefix_ + name + ".");
     describe(inner, field);
@@ -73,6 +77,39 @@ class FieldSetter {
   bool found_ = false;
 };
 
+class FieldLister {
+ public:
+  template <class T, class Rule>
+  requires std::is_arithmetic_v<T>
+  void operator()(const char* name, const T& field, const Rule&) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.17g", double(field));
+    fields.emplace_back(prefix_ + name, text);
+  }
+  template <class Rule>
+  void operator()(const char* name, const bool& field, const Rule&) {
+    fields.emplace_back(prefix_ + name, field ? "true" : "false");
+  }
+  template <class E, class Rule>
+  requires std::is_enum_v<E>
+  void operator()(const char* name, const E& field, const Rule&) {
+    fields.emplace_back(prefix_ + name, names(E{})[int(field)]);
+  }
+  template <class T, class Rule>
+  requires requires(FieldLister& v, const T& x) { describe(v, x); }
+  void operator()(const char* name, const T& field, const Rule&) {
+    const std::string outer = prefix_;
+    prefix_ += std::string(name) + ".";
+    describe(*this, field);
+    prefix_ = outer;
+  }
+
+  std::vector<std::pair<std::string, std::string>> fields;
+
+ private:
+  std::string prefix_;
+};
+
 }
 
 void set_field(Config& config, std::string_view path, std::string_view value) {
@@ -81,6 +118,12 @@ void set_field(Config& config, std::string_view path, std::string_view value) {
   describe(setter, changed);
   if (!setter.found()) throw Error(std::string(path), "is no setting; there is: " + setter.known());
   config = changed;
+}
+
+std::vector<std::pair<std::string, std::string>> fields_of(const Config& config) {
+  FieldLister lister;
+  describe(lister, config);
+  return std::move(lister.fields);
 }
 
 }
