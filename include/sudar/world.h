@@ -183,6 +183,8 @@ class World {
   std::vector<Contact> contacts() const;
   bool touching(Body, Body) const;
   std::optional<RayHit> ray_cast(const Pos& from, const Vec3& direction, Real length) const;  // nearest; direction of length 1
+  std::vector<Box> fat_boxes() const;    // of all bodies but half spaces: what the broad phase compares
+  std::vector<Box> broad_boxes() const;  // what it is made of: cells or nodes; for pictures
   Energy energy() const;
   Momentum momentum() const;
   const Events& events() const;

@@ -203,6 +203,20 @@ std::optional<RayHit> World::ray_cast(const Pos& from, const Vec3& direction, Re
 
 // --- sums ---
 
+std::vector<Box> World::fat_boxes() const {
+  std::vector<Box> boxes;
+  for (const Proxy& proxy : impl_->proxies) {
+    if (proxy.present) boxes.push_back(proxy.box);
+  }
+  return boxes;
+}
+
+std::vector<Box> World::broad_boxes() const {
+  std::vector<Box> boxes;
+  impl_->broad->inner_boxes(boxes);
+  return boxes;
+}
+
 Energy World::energy() const {
   Energy e;
   for (const Body b : bodies()) e.kinetic += (*this)[b].kinetic_energy();

@@ -39,6 +39,9 @@ class BroadPhase {
   // both fixed.
   virtual void update(std::span<const Proxy> proxies, std::span<const std::uint32_t> changed,
                       std::vector<ProxyPair>& out) = 0;
+  // For pictures: appends the boxes that the inner structure is made of (cells with members, inner nodes), if it is of
+  // boxes.
+  virtual void inner_boxes(std::vector<Box>&) const {}
 };
 
 std::unique_ptr<BroadPhase> make_broad_phase(Broad kind);

@@ -164,4 +164,13 @@ void Grid::update(std::span<const Proxy> proxies, std::span<const std::uint32_t>
   search_pairs(proxies, changed, out, [&](std::uint32_t i, auto visit) { search(i, proxies[i].box, visit); });
 }
 
+void Grid::inner_boxes(std::vector<Box>& out) const {
+  for (const Cell& cell : cells_.all()) {
+    if (cell.first_member == no_member) continue;
+    const double edge = power_of_two(cell.key.level);
+    const Pos low{cell.key.x * edge, cell.key.y * edge, cell.key.z * edge};
+    out.push_back({low, low + Vec3d{edge, edge, edge}});
+  }
+}
+
 }

@@ -24,6 +24,7 @@ class Grid final : public BroadPhase {
  public:
   void update(std::span<const Proxy> proxies, std::span<const std::uint32_t> changed,
               std::vector<ProxyPair>& out) override;
+  void inner_boxes(std::vector<Box>& out) const override;
 
  private:
   // Where a proxy is kept: in a cell, in the list of the immeasurable (in_list), or nowhere (no_cell).

@@ -27,4 +27,8 @@ void Tree::update(std::span<const Proxy> proxies, std::span<const std::uint32_t>
   });
 }
 
+void Tree::inner_boxes(std::vector<Box>& out) const {
+  for (const BoxTree& tree : trees_) tree.inner_boxes(out);
+}
+
 }

@@ -19,6 +19,7 @@ class Tree final : public BroadPhase {
  public:
   void update(std::span<const Proxy> proxies, std::span<const std::uint32_t> changed,
               std::vector<ProxyPair>& out) override;
+  void inner_boxes(std::vector<Box>& out) const override;
 
  private:
   struct Place {

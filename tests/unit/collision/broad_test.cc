@@ -240,6 +240,29 @@ TEST_P(Kinds, EverythingJumps) {
   }
 }
 
+// The picture of a structure of boxes shows all that is in it; the other kinds have none.
+TEST_P(Kinds, InnerBoxes) {
+  const auto broad = make_broad_phase(GetParam());
+  Random random(3);
+  std::vector<Proxy> proxies;
+  std::vector<std::uint32_t> changed;
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    proxies.push_back({box_at(Pos{} + wide(random.in_box(5)), {1, 1, 1}), {}, true, i < 20});
+    changed.push_back(i);
+  }
+  std::vector<ProxyPair> pairs;
+  broad->update(proxies, changed, pairs);
+  std::vector<Box> boxes;
+  broad->inner_boxes(boxes);
+  const bool has_boxes = GetParam() == Broad::grid || GetParam() == Broad::tree;
+  EXPECT_EQ(!boxes.empty(), has_boxes);
+  for (const Proxy& p : proxies) {
+    const Pos center = p.box.low + Vec3d{0.5, 0.5, 0.5};
+    const auto holds = [&](const Box& box) { return contains(box, Box{center, center}); };
+    EXPECT_EQ(std::any_of(boxes.begin(), boxes.end(), holds), has_boxes);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Broad, Kinds, testing::Values(Broad::grid, Broad::sweep, Broad::kinetic_sweep, Broad::tree),
                          [](const auto& info) { return names(Broad{})[int(info.param)]; });
 

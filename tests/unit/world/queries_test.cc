@@ -33,6 +33,19 @@ TEST(View, OfABody) {
   EXPECT_EQ(w.find("corner"), b);
 }
 
+TEST(View, OfTheBroadPhase) {
+  World w(steady());
+  add_floor(w);
+  const Body a = w.add(cube({0, 3, 0}));
+  w.add(cube({5, 3, 0}));
+  w.step();
+  ASSERT_EQ(w.fat_boxes().size(), 2u);  // a half space has none
+  EXPECT_TRUE(contains(w.fat_boxes()[0], Box{w[a].center(), w[a].center()}));
+  ASSERT_EQ(w.broad_boxes().size(), 1u);  // the root of a tree of two
+  EXPECT_TRUE(contains(w.broad_boxes()[0], w.fat_boxes()[0]));
+  EXPECT_TRUE(contains(w.broad_boxes()[0], w.fat_boxes()[1]));
+}
+
 // What the joint's view tells of anchors and definition.
 TEST(View, OfAJoint) {
   World w(steady());
