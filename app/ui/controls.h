@@ -4,6 +4,7 @@
 
 #include "ui/actions.h"
 #include "ui/camera_control.h"
+#include "ui/places.h"
 #include "ui/simulation.h"
 #include "view/renderer.h"
 
@@ -40,6 +41,7 @@ class Controls {
   Ray pointer{};      // where the mouse points
   Body selected{};
   bool follow = false, panels = true, help = false;
+  Places places;         // of widgets
   bool filming = false;  // told by whoever does it
   // Taken up by whoever can, who then takes them down.
   bool wants_search = false, wants_fullscreen = false, wants_screenshot = false, wants_movie = false,

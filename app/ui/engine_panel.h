@@ -3,8 +3,10 @@
 
 #include <sudar/definitions.h>
 
+#include "ui/places.h"
+
 namespace sudar::ui {
 
-bool edit_config(Config&);  // was anything changed?
+bool edit_config(Config&, Places&);  // was anything changed?
 
 }

@@ -48,10 +48,17 @@ int match(const ScenarioEntry& e, const std::string& search) {
 void Panels::item(Action action, const bool* on) {
   const Binding& b = binding_of(action);
   if (ImGui::MenuItem(b.does, b.shortcut, on && *on)) controls_.perform(action);
+  controls_.places.note(b.does);
+}
+
+bool Panels::open_menu(const char* name) {
+  const bool open = ImGui::BeginMenu(name);
+  if (!open) controls_.places.note(name);
+  return open;
 }
 
 void Panels::menu() {
-  if (ImGui::BeginMenu("Run")) {
+  if (open_menu("Run")) {
     for (const Action a : {Action::pause, Action::step, Action::ten_steps, Action::restart}) item(a);
     ImGui::Separator();
     for (const Action a : {Action::faster, Action::slower, Action::real_time}) item(a);
@@ -61,11 +68,11 @@ void Panels::menu() {
     for (const Action a : {Action::record, Action::screenshot, Action::movie, Action::quit}) item(a);
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("Edit")) {
+  if (open_menu("Edit")) {
     for (const Action a : {Action::shoot, Action::add_box, Action::add_sphere, Action::remove}) item(a);
     ImGui::EndMenu();
   }
-  if (ImGui::BeginMenu("Show")) {
+  if (open_menu("Show")) {
     view::Style& style = controls_.style;
     item(Action::contacts, &style.contacts), item(Action::joints, &style.joints), item(Action::axes, &style.axes);
     item(Action::wireframe, &style.wireframe), item(Action::sleep, &style.sleep);
@@ -81,6 +88,7 @@ void Panels::menu() {
 void Panels::transport() {
   const auto button = [&](const char* text, Action action) {
     if (ImGui::SmallButton(text)) controls_.perform(action);
+    controls_.places.note(std::string("button: ") + binding_of(action).does);
     if (ImGui::IsItemHovered()) {
       const Binding& b = binding_of(action);
       ImGui::SetTooltip("%s (%s)", b.does, b.shortcut);
@@ -104,6 +112,7 @@ void Panels::scenarios() {
   ImGui::SetNextItemWidth(-1);
   const bool entered = ImGui::InputTextWithHint("##search", "Search (Ctrl+K)", search_, sizeof search_,
                                                 ImGuiInputTextFlags_EnterReturnsTrue);
+  controls_.places.note("search");
   const std::string search = lower(search_);
   ImGui::BeginChild("list", {0, 230}, false);
   std::string group;
@@ -118,6 +127,7 @@ void Panels::scenarios() {
     const bool current = controls_.moment() && controls_.moment()->entry == e;
     const bool clicked =
         ImGui::Selectable(("   " + place.substr(place.find('/') + 1) + "##" + e->name).c_str(), current);
+    controls_.places.note(std::string("scenario: ") + e->name);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", e->about);
     if (clicked) controls_.start(*e);
   }
@@ -151,6 +161,7 @@ void Panels::parameters() {
       changed = ImGui::SliderScalar(p.name.c_str(), ImGuiDataType_Double, &value, &p.low, &p.high, "%.4g", flags);
     }
     if (changed) edited_[p.name] = value;
+    controls_.places.note(p.name);
     settled = settled || ImGui::IsItemDeactivatedAfterEdit();
     if (!p.about.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", p.about.c_str());
   }
@@ -168,7 +179,7 @@ void Panels::engine() {
   const Moment* m = controls_.moment();
   if (!m || !ImGui::CollapsingHeader("Engine", ImGuiTreeNodeFlags_DefaultOpen)) return;
   Config config = m->config;
-  if (edit_config(config)) controls_.set_config(config);
+  if (edit_config(config, controls_.places)) controls_.set_config(config);
 }
 
 void Panels::selection() {
@@ -238,6 +249,7 @@ void Panels::help(const Area& area) {
 Area Panels::draw(int width, int height, double frames_per_second) {
   const auto w = float(width), h = float(height);
   Area area{0, 0, width, height};
+  controls_.places.clear();
   if (controls_.panels) {
     if (ImGui::BeginMainMenuBar()) {
       menu();

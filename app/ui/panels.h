@@ -23,6 +23,7 @@ class Panels {
   void state_line(float width, float height, double frames_per_second);
   void over_picture(const Area&);
   void help(const Area&);
+  bool open_menu(const char* name);
   void item(Action, const bool* on = nullptr);
 
   Controls& controls_;

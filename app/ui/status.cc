@@ -7,8 +7,9 @@
 namespace sudar::ui {
 
 void StatusFile::write(const Controls& c, double frames_per_second) {
+  ++pictures_;
   const Clock::time_point now = Clock::now();
-  if (path_.empty() || !c.moment() || now - last_ < std::chrono::milliseconds(100)) return;
+  if (path_.empty() || !c.moment() || now - last_ < std::chrono::milliseconds(30)) return;
   last_ = now;
   const Moment& m = *c.moment();
   const View& v = c.view();
@@ -45,7 +46,9 @@ void StatusFile::write(const Controls& c, double frames_per_second) {
       {"axes_shown", c.style.axes},
       {"wireframe", c.style.wireframe},
       {"message", v.message},
+      {"pictures", pictures_},
       {"fps", frames_per_second},
+      {"places", c.places.all()},
   };
   app::TextFile file(path_);
   file.out() << j.dump() << '\n';

@@ -1,4 +1,5 @@
-// The state of the window in a file, for tests and scripts: one JSON object, replaced as a whole, ten times a second.
+// The state of the window in a file, for tests and scripts: one JSON object, replaced as a whole, some thirty times a
+// second.
 #pragma once
 
 #include "ui/controls.h"
@@ -8,11 +9,12 @@ namespace sudar::ui {
 class StatusFile {
  public:
   explicit StatusFile(std::string path) : path_(std::move(path)) {}  // empty: none
-  void write(const Controls&, double frames_per_second);
+  void write(const Controls&, double frames_per_second);             // once a picture
 
  private:
   std::string path_;
   Clock::time_point last_{};
+  std::int64_t pictures_ = 0;
 };
 
 }

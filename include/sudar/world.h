@@ -126,6 +126,8 @@ class JointView {
   const JointDef& definition() const;
   Pos anchor_a() const;      // the two anchors as they are now
   Pos anchor_b() const;
+  Quat frame_a() const;      // the joint's axes on its two bodies, → world: x is the axis of a hinge, slider or plane; the
+  Quat frame_b() const;      // angle of a hinge is that from a's y to b's y about it
   Real gap() const;          // how far the joint is from holding, m; of a rope or slider also how far beyond its limit
   Real coordinate() const;   // angle of a hinge [rad, unwound], way of a slider, length of a rope or muscle [m]; else 0
   Wrench load() const;       // that the joint exerted on its body b in the last sub-step, about anchor b
@@ -185,6 +187,9 @@ class World {
   std::optional<RayHit> ray_cast(const Pos& from, const Vec3& direction, Real length) const;  // nearest; direction of length 1
   std::vector<Box> fat_boxes() const;    // of all bodies but half spaces: what the broad phase compares
   std::vector<Box> broad_boxes() const;  // what it is made of: cells or nodes; for pictures
+  // For each of bodies() the smallest index among those that it hangs together with, by contacts and joints of dynamic
+  // bodies.
+  std::vector<std::uint32_t> islands() const;
   Energy energy() const;
   Momentum momentum() const;
   const Events& events() const;

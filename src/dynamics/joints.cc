@@ -82,8 +82,8 @@ JointFrame frame_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
   f.ra = arm(bodies, a, j.anchor_a[i]);
   f.rb = arm(bodies, b, j.anchor_b[i]);
   f.gap = anchor_a(j, bodies, i) - anchor_b(j, bodies, i);
-  f.turn_a = a == no_body ? j.basis_a[i] : bodies.orientation[a] * j.basis_a[i];
-  f.turn_b = b == no_body ? j.basis_b[i] : bodies.orientation[b] * j.basis_b[i];
+  f.turn_a = frame_a(j, bodies, i);
+  f.turn_b = frame_b(j, bodies, i);
   f.basis_a = matrix(f.turn_a);
   f.basis_b = matrix(f.turn_b);
   f.length = j.limit[i].low;  // of a bar
@@ -124,6 +124,13 @@ Pos anchor_a(const Joints& j, const Bodies& bodies, std::uint32_t i) {
 }
 Pos anchor_b(const Joints& j, const Bodies& bodies, std::uint32_t i) {
   return anchor(j, bodies, i, j.b[i], j.anchor_b[i]);
+}
+
+Quat frame_a(const Joints& j, const Bodies& bodies, std::uint32_t i) {
+  return j.a[i] == no_body ? j.basis_a[i] : bodies.orientation[j.a[i]] * j.basis_a[i];
+}
+Quat frame_b(const Joints& j, const Bodies& bodies, std::uint32_t i) {
+  return j.b[i] == no_body ? j.basis_b[i] : bodies.orientation[j.b[i]] * j.basis_b[i];
 }
 
 JointRows rows_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {

@@ -37,6 +37,9 @@ struct Joints {
 // The anchors as they are now, in the world.
 Pos anchor_a(const Joints&, const Bodies&, std::uint32_t i);
 Pos anchor_b(const Joints&, const Bodies&, std::uint32_t i);
+// The joint's axes on either body, → world.
+Quat frame_a(const Joints&, const Bodies&, std::uint32_t i);
+Quat frame_b(const Joints&, const Bodies&, std::uint32_t i);
 
 // What a joint demands: `count` rows as one block, and perhaps a free coordinate with a limit and a drive.
 struct JointRows {

@@ -125,6 +125,8 @@ bool BodyView::quarantined() const { return world_->impl().bodies.quarantined[in
 const JointDef& JointView::definition() const { return world_->impl().joints.definition[index_]; }
 Pos JointView::anchor_a() const { return sudar::anchor_a(world_->impl().joints, world_->impl().bodies, index_); }
 Pos JointView::anchor_b() const { return sudar::anchor_b(world_->impl().joints, world_->impl().bodies, index_); }
+Quat JointView::frame_a() const { return sudar::frame_a(world_->impl().joints, world_->impl().bodies, index_); }
+Quat JointView::frame_b() const { return sudar::frame_b(world_->impl().joints, world_->impl().bodies, index_); }
 Real JointView::gap() const { return gap_of(world_->impl().joints, world_->impl().bodies, index_); }
 Real JointView::coordinate() const {
   const Joints& j = world_->impl().joints;
@@ -215,6 +217,22 @@ std::vector<Box> World::broad_boxes() const {
   std::vector<Box> boxes;
   impl_->broad->inner_boxes(boxes);
   return boxes;
+}
+
+std::vector<std::uint32_t> World::islands() const {
+  const Impl& w = *impl_;
+  Islands islands;
+  islands.reset(w.bodies.size());
+  const auto unite = [&](std::uint32_t a, std::uint32_t b) {
+    if (a != no_body && b != no_body && w.bodies.dynamic(a) && w.bodies.dynamic(b)) islands.unite(a, b);
+  };
+  for (const PairRow& row : w.pairs) {
+    if (row.row != no_row) unite(row.key.a, row.key.b);
+  }
+  for (const Joint j : joints()) unite(w.joints.a[j.index], w.joints.b[j.index]);
+  std::vector<std::uint32_t> roots;
+  for (const Body b : bodies()) roots.push_back(islands.root(b.index));
+  return roots;
 }
 
 Energy World::energy() const {

@@ -5,6 +5,7 @@ Usage: window_test.py PROGRAM  (needs Xvfb and xdotool)
 """
 import json
 import os
+import re
 import shutil
 import struct
 import subprocess
@@ -15,7 +16,7 @@ import unittest
 import zlib
 
 PROGRAM = None
-PATIENCE = 60  # s, for anything that is waited for
+PATIENCE = float(os.environ.get("PATIENCE", 60))  # s, for anything that is waited for
 
 
 class Screen:
@@ -208,10 +209,8 @@ class Window(unittest.TestCase):
         self.key("Delete")
         self.until(lambda s: s["bodies"] == bodies + 2 and s["selected"] == -1, "Delete removes the brick")
         self.key("ctrl+shift+r")
-        s = self.until(lambda s: not s["recording"], "the recording ends")
-        file = os.path.join(self.folder.name, "out", "wall.sudar")
-        replay = subprocess.run([PROGRAM, "replay", "--check", file], capture_output=True, text=True)
-        self.assertEqual(replay.returncode, 0, replay.stdout + replay.stderr)
+        self.until(lambda s: not s["recording"], "the recording ends")
+        self.replayed("wall")
 
     def test_screenshot(self):
         self.open("net")
@@ -233,19 +232,65 @@ class Window(unittest.TestCase):
         made = os.listdir(os.path.join(self.folder.name, "out"))
         self.assertTrue(any(name.startswith("cradle") for name in made), made)
 
-    def test_an_edited_parameter_restarts(self):
+    def place(self, widget, share=0.5):
+        """Where the widget stands; the side panel is scrolled until it is seen."""
+        self.next_pictures()
+        if widget not in self.state()["places"]:
+            self.xdotool("mousemove", 150, 590)
+        for wheel in [4] * 8 + [5] * 16:
+            if widget in self.state()["places"]:
+                break
+            self.xdotool("click", wheel)
+            self.next_pictures()
+        left, top, right, bottom = self.until(lambda s: widget in s["places"], f"{widget} is seen")["places"][widget]
+        return left + share * (right - left), (top + bottom) / 2
+
+    def next_pictures(self):
+        """Waits until whatever was pressed has been answered and shown."""
+        picture = self.state()["pictures"]
+        self.until(lambda s: s["pictures"] > picture + 1, "the next picture")
+
+    def press(self, widget, share=0.5):
+        self.xdotool("mousemove", *map(int, self.place(widget, share)), "click", 1)
+
+    def replayed(self, scene):
+        """The last recording of the scene, replayed without a window, leads to the same state."""
+        told = self.until(lambda s: s["message"].startswith("Recorded: "), "the recording is written")["message"]
+        file = re.search(r"Recorded: (\S+),", told)[1]
+        replay = subprocess.run([PROGRAM, "replay", "--check", os.path.join(self.folder.name, file)],
+                                capture_output=True, text=True)
+        self.assertEqual(replay.returncode, 0, replay.stdout + replay.stderr)
+        self.assertEqual(re.search(r"state (\w+)", replay.stdout)[1], re.search(r"state (\w+)", told)[1])
+
+    def test_a_parameter_and_a_setting_are_recorded(self):
         before = self.open("wall")
-        # The slider of "rows", pulled to the left.
-        self.xdotool("mousemove", 51, 373)
-        time.sleep(0.5)
-        self.xdotool("mousedown", 1)
-        time.sleep(0.5)
-        self.xdotool("mousemove", 32, 373)
-        time.sleep(0.5)
-        self.xdotool("mouseup", 1)
+        self.key("ctrl+shift+r")
+        self.until(lambda s: s["recording"] and s["steps"] > 20, "Ctrl+Shift+R records")
+        # The slider of "rows", pulled to the left with the mouse: a new run in the same recording.
+        x, y = self.place("rows", 0.33)
+        self.xdotool("mousemove", int(x), int(y), "mousedown", 1)
+        self.xdotool("mousemove", int(x) - 10, int(y), "mousemove", int(x) - 20, int(y), "mouseup", 1)
         s = self.until(lambda s: s["run"] == before["run"] + 1, "a new value restarts")
         self.assertLess(s["parameters"]["rows"], before["parameters"]["rows"])
         self.assertLess(s["bodies"], before["bodies"])
+        self.assertTrue(s["recording"])
+        self.until(lambda s: s["steps"] > 20, "the new run goes on")
+        # Another broad phase from the list of them: the run goes on with it.
+        self.press("broad")
+        self.press("broad: sweep")
+        self.until(lambda s: s["config"]["broad"] == "sweep", "the broad phase is exchanged")
+        # A number typed into a field.
+        self.press("substeps")
+        self.xdotool("key", "ctrl+a", "2", "Return")
+        s = self.until(lambda s: s["config"]["substeps"] == "2", "the sub-steps are exchanged")
+        self.assertEqual(s["run"], before["run"] + 1)
+        # And from the start: parameters and settings stay.
+        self.key("r")
+        s = self.until(lambda s: s["run"] == before["run"] + 2 and s["steps"] > 20, "R restarts")
+        self.assertLess(s["parameters"]["rows"], before["parameters"]["rows"])
+        self.assertEqual((s["config"]["broad"], s["config"]["substeps"]), ("sweep", "2"))
+        self.key("ctrl+shift+r")
+        self.replayed("wall")
 
 
 if __name__ == "__main__":

@@ -101,6 +101,18 @@ TEST(Session, GoesOnAfterLoad) {
   }
 }
 
+// What fields_of() lists, set_field() takes back.
+TEST(Settings, FieldsThereAndBack) {
+  Config c;
+  c.broad = Broad::grid, c.dt = 1.0 / 97, c.sleep = false, c.impulse_2007.correction = Real(0.1);
+  Config copy;
+  for (const auto& [path, value] : fields_of(c)) set_field(copy, path, value);
+  EXPECT_EQ(fields_of(copy), fields_of(c));
+  EXPECT_EQ(copy.dt, c.dt);
+  EXPECT_EQ(copy.impulse_2007.correction, c.impulse_2007.correction);
+  EXPECT_NE(fields_of(c), fields_of(Config{}));
+}
+
 TEST(Session, RefusesDamagedData) {
   const Catalogue all = catalogue();
   Session s(drops);

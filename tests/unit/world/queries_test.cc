@@ -46,6 +46,34 @@ TEST(View, OfTheBroadPhase) {
   EXPECT_TRUE(contains(w.broad_boxes()[0], w.fat_boxes()[1]));
 }
 
+// Two stacks of two are two islands; the floor joins nothing, a joint does.
+TEST(View, OfIslands) {
+  World w(steady());
+  w.add(Gravity{});
+  add_floor(w);
+  w.add(cube({0, 0.5, 0})), w.add(cube({5, 0.5, 0}));
+  const Body c = w.add(cube({0, 1.5, 0})), d = w.add(cube({5, 1.5, 0}));
+  step(w, 3);
+  EXPECT_EQ(w.islands(), (std::vector<std::uint32_t>{0, 1, 2, 1, 2}));
+  w.join(Rope{.a = c, .b = d, .at_a = w[c].center(), .at_b = w[d].center()});
+  EXPECT_EQ(w.islands(), (std::vector<std::uint32_t>{0, 1, 1, 1, 1}));
+}
+
+// x of both frames is the axis, and the angle is that from a's y to b's.
+TEST(View, OfAHingesFrames) {
+  World w(steady());
+  const Body a = w.add(cube({0, 0, 0})), b = w.add(cube({2, 0, 0}));
+  const Vec3 axis = normalize(Vec3{1, 2, 2});
+  const Joint j = w.join(Hinge{.a = a, .b = b, .at = {1, 0, 0}, .axis = axis});
+  w.set_velocity(b, {}, axis * Real(0.5));
+  step(w, 20);
+  EXPECT_LT(length(rotate(w[j].frame_a(), Vec3{1, 0, 0}) - rotate(w[j].frame_b(), Vec3{1, 0, 0})), 1e-3);
+  const Vec3 y = rotate(w[j].frame_a(), Vec3{0, 1, 0}), z = rotate(w[j].frame_a(), Vec3{0, 0, 1}),
+             turned = rotate(w[j].frame_b(), Vec3{0, 1, 0});
+  EXPECT_GT(abs(w[j].coordinate()), 0.02);
+  EXPECT_NEAR(atan2(dot(turned, z), dot(turned, y)), w[j].coordinate(), 1e-3);
+}
+
 // What the joint's view tells of anchors and definition.
 TEST(View, OfAJoint) {
   World w(steady());
