@@ -21,8 +21,7 @@ std::size_t Bodies::mesh_of(const Shape& shape) {
     return k.shape.shared() == shape.shared() || k.shape == shape;
   });
   if (known != known_.end()) return known->mesh;
-  const bool hull = shape.kind() == ShapeKind::hull;
-  const Mesh mesh = hull ? hull_mesh(shape) : capsule_mesh(float(shape.radius()), float(shape.half_length()));
+  const Mesh mesh = shape.kind() == ShapeKind::hull ? hull_mesh(shape) : smooth_mesh(shape);
   known_.push_back({shape, instances_.add_mesh(mesh)});
   return known_.back().mesh;
 }

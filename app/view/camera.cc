@@ -12,6 +12,19 @@ struct Round {
   float radius;
 };
 
+std::vector<Round> corners_of_box(const Shape& shape, const Pose& pose, const Pos& origin) {
+  const Real r = shape.radius(), half = shape.half_length();
+  const bool round = shape.kind() == ShapeKind::hollow_sphere, cone = shape.kind() == ShapeKind::cone;
+  const Vec3 reach = shape.kind() == ShapeKind::ellipsoid ? shape.radii() : Vec3{r, round ? r : half, r};
+  const Vec3 middle{0, cone ? half / 2 : 0, 0};
+  std::vector<Round> corners;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 signs{i & 1 ? Real(1) : Real(-1), i & 2 ? Real(1) : Real(-1), i & 4 ? Real(1) : Real(-1)};
+    corners.push_back({relative(pose.point(middle + scale(reach, signs)), origin), 0});
+  }
+  return corners;
+}
+
 // Balls that together cover an instance closely: its corners, or its round ends.
 std::vector<Round> cover(const Shape& shape, const Pose& pose, const Pos& origin) {
   const auto at = [&](const Vec3& local) { return relative(pose.point(local), origin); };
@@ -25,6 +38,8 @@ std::vector<Round> cover(const Shape& shape, const Pose& pose, const Pos& origin
       return {};
     case ShapeKind::hull:
       break;
+    default:  // the corners of a box around it
+      return corners_of_box(shape, pose, origin);
   }
   std::vector<Round> corners;
   for (const Vec3& v : shape.vertices()) corners.push_back({at(v), 0});

@@ -156,6 +156,8 @@ Mesh sphere_mesh() {            // a beach ball: eight sectors and two caps
   return mesh;
 }
 
+namespace {
+
 Mesh capsule_mesh(float radius, float half_length) {
   Mesh mesh;
   const Ring low{radius, -half_length, 1, 0}, high{radius, half_length, 1, 0};
@@ -163,6 +165,65 @@ Mesh capsule_mesh(float radius, float half_length) {
   revolve(mesh, std::vector<Ring>{low, high}, 4, 10, alternate);
   revolve(mesh, arc(radius, half_length, 0, quarter, 8), 4, 10, alternate_shifted);
   return mesh;
+}
+
+Mesh cylinder_mesh(float radius, float half) {
+  Mesh mesh;
+  revolve(mesh, std::vector<Ring>{{0, -half, 0, -1}, {radius, -half, 0, -1}}, 4, 12, alternate_shifted);
+  revolve(mesh, std::vector<Ring>{{radius, -half, 1, 0}, {radius, half, 1, 0}}, 4, 12, alternate);
+  revolve(mesh, std::vector<Ring>{{radius, half, 0, 1}, {0, half, 0, 1}}, 4, 12, alternate_shifted);
+  return mesh;
+}
+
+Mesh tapered_mesh(float radius, float base, float apex) {
+  const float height = apex - base, side = std::sqrt(radius * radius + height * height);
+  const float out = height / side, up = radius / side;
+  Mesh mesh;
+  revolve(mesh, std::vector<Ring>{{0, base, 0, -1}, {radius, base, 0, -1}}, 4, 12, alternate_shifted);
+  revolve(mesh, std::vector<Ring>{{radius, base, out, up}, {0, apex, out, up}}, 4, 12, alternate);
+  return mesh;
+}
+
+Mesh stretched(Mesh mesh, const Vec3f& by) {
+  for (MeshVertex& v : mesh.vertices) {
+    v.position = scale(v.position, by);
+    v.normal = v.edge_normal = normalize(Vec3f{v.normal.x / by.x, v.normal.y / by.y, v.normal.z / by.z});
+  }
+  return mesh;
+}
+
+Mesh inside_out(Mesh mesh) {
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i], mesh.indices[i + 1]);
+  for (MeshVertex& v : mesh.vertices) v.normal = -v.normal, v.edge_normal = -v.edge_normal;
+  return mesh;
+}
+
+}
+
+Mesh smooth_mesh(const Shape& shape) {
+  const float radius = float(shape.radius()), half = float(shape.half_length());
+  switch (shape.kind()) {
+    case ShapeKind::capsule:
+      return capsule_mesh(radius, half);
+    case ShapeKind::cylinder:
+      return cylinder_mesh(radius, half);
+    case ShapeKind::cone:
+      return tapered_mesh(radius, -half / 2, 1.5f * half);
+    case ShapeKind::ellipsoid:
+      return stretched(sphere_mesh(), to_float(shape.radii()));
+    case ShapeKind::hollow_sphere: {  // its lower half, to let the light in
+      Mesh bowl;
+      revolve(bowl, arc(radius, 0, -quarter, 0, 16), 8, 6, alternate);
+      return inside_out(std::move(bowl));
+    }
+    case ShapeKind::hollow_cylinder: {
+      Mesh pipe;
+      revolve(pipe, std::vector<Ring>{{radius, -half, 1, 0}, {radius, half, 1, 0}}, 4, 12, alternate);
+      return inside_out(std::move(pipe));
+    }
+    default:
+      return {};
+  }
 }
 
 Mesh stick_mesh() {

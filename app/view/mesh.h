@@ -26,7 +26,8 @@ struct Mesh {
 
 Mesh hull_mesh(const Shape&);
 Mesh sphere_mesh();                                  // radius 1
-Mesh capsule_mesh(float radius, float half_length);  // axis y
+// A capsule, cylinder, cone or ellipsoid; a hollow, which is drawn from inside only, so that one can look into it.
+Mesh smooth_mesh(const Shape&);
 Mesh stick_mesh();                                   // for marks: a cylinder of radius 1 from y = 0 to 1
 Mesh cone_mesh();                                    // for marks: radius 1 at y = 0, its tip at y = 1
 

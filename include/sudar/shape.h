@@ -12,7 +12,15 @@ namespace sudar::inline SUDAR_PRECISION {
 
 struct Geometry;  // src/geometry/geometry.h
 
-enum class ShapeKind : std::uint8_t { sphere, capsule, half_space, hull };
+// Snapshots hold these numbers.
+enum class ShapeKind : std::uint8_t {
+  sphere, capsule, half_space, hull, cylinder, cone, ellipsoid, hollow_sphere, hollow_cylinder
+};
+
+// Half spaces and hollows have no mass: for fixed bodies only.
+constexpr bool has_mass(ShapeKind k) { return k != ShapeKind::half_space && k < ShapeKind::hollow_sphere; }
+// What a hollow has inside is felt by spheres only.
+constexpr bool is_hollow(ShapeKind k) { return k >= ShapeKind::hollow_sphere; }
 
 // Volume [m³], centre of mass and the inertia tensor about it per unit density [m⁵], in the shape's frame.
 struct MassProperties {
@@ -29,9 +37,10 @@ class Shape {
   explicit operator bool() const { return geometry_ != nullptr; }
   bool operator==(const Shape& other) const;  // by content
   ShapeKind kind() const;
-  Real radius() const;       // sphere, capsule; else 0
-  Real half_length() const;  // capsule: half of the segment, along y; else 0
-  MassProperties mass_properties() const;  // refused for a half space, which has none
+  Real radius() const;       // 0 of a half space, a hull, an ellipsoid
+  Real half_length() const;  // along y: half of a capsule's segment, half the height of a cylinder or cone; else 0
+  Vec3 radii() const;        // of an ellipsoid; else 0
+  MassProperties mass_properties() const;  // refused for a half space or a hollow, which have none
   Real bounding_radius() const;            // about the shape's origin; infinite for a half space
 
   // The surface of a hull: vertices, and faces as loops of vertex numbers, counter-clockwise seen from outside.
@@ -48,15 +57,23 @@ class Shape {
 // Exact smooth shapes.
 Shape sphere(Real radius);
 Shape capsule(Real radius, Real length);  // `length` of the segment between the two centres, along y
+Shape cylinder(Real radius, Real height); // axis y, centred
+Shape cone(Real radius, Real height);     // axis y, apex up; the origin is the centre of mass, height/4 above the base
+Shape ellipsoid(Vec3 radii);
 Shape half_space();                       // everything below y = 0 of its frame: an infinite floor; fixed bodies only
+
+// Walls seen from inside, exact, for fixed bodies only: a bowl, a pipe with open ends (axis y). Only spheres collide with
+// them, and only while their centre is inside; a world refuses a body that would meet one and is no sphere.
+Shape hollow_sphere(Real radius);
+Shape hollow_cylinder(Real radius, Real height);
 
 // Convex polyhedra, centred on their centre of mass unless said otherwise. Axes and edges as named.
 Shape box(Vec3 edges);                                                      // full edges
 Shape prism(int sides, Real radius, Real height);                           // regular; axis y, a vertex at +x; circumradius
 Shape prism(std::span<const Vec3> outline, Real height);                    // convex outline in the xy plane (z ignored), extruded along z; kept where it is in x and y
 Shape pyramid(int sides, Real radius, Real height);                         // axis y, apex up, a base vertex at +x
-Shape cylinder(Real radius, Real height, int sides = 32);                   // a prism; axis y
-Shape cone(Real radius, Real height, int sides = 32);                       // a pyramid; axis y, apex up
+Shape cylinder(Real radius, Real height, int sides);                        // a prism; axis y
+Shape cone(Real radius, Real height, int sides);                            // a pyramid; axis y, apex up
 Shape uv_sphere(Real radius, int slices = 24, int stacks = 12);
 Shape tetrahedron(Real edge);
 Shape octahedron(Real edge);

@@ -34,9 +34,9 @@ struct Gyroscope : Scenario {
   }
   void build(World& w) override {
     add_floor(w, -2, gravity);
-    const Body stand = w.add({.shape = cone(1, 2), .at = {0, -1.5, 0}, .motion = Motion::fixed, .name = "stand"});
+    const Body stand = w.add({.shape = cone(1, 2, 32), .at = {0, -1.5, 0}, .motion = Motion::fixed, .name = "stand"});
     const double lift = 0.75 * height;  // centre of mass above the tip
-    top = w.add({.shape = cone(Real(radius), Real(height)), .at = {0, lift, 0}, .density = 1, .sleeps = false});
+    top = w.add({.shape = cone(Real(radius), Real(height), 32), .at = {0, lift, 0}, .density = 1, .sleeps = false});
     precession = steady_precession(w[top].mass(), lift, w[top].inertia());
     const Quat lean = turned({0, 0, 1}, -double(tilt));
     const Vec3 axis = rotate(lean, Vec3{0, 1, 0});

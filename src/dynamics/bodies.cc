@@ -43,7 +43,7 @@ std::uint32_t Bodies::add(const BodyDef& def, std::uint32_t geometry_number) {
   motion[i] = def.motion;
   may_sleep[i] = def.sleeps ? 1 : 0;
   radius[i] = g.bounding_radius;
-  if (def.shape.kind() != ShapeKind::half_space) {
+  if (has_mass(def.shape.kind())) {
     const PrincipalFrame principal = principal_frame(mass_properties(def));
     shape_frame[i] = principal.shape;
     radius[i] = radius_about(g, principal.shape.p);

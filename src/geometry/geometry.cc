@@ -2,6 +2,8 @@
 
 #include "base/hash.h"
 
+#include <sudar/solids.h>
+
 namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
@@ -12,25 +14,17 @@ void check_size(const char* field, Real size) {
   if (!std::isfinite(size) || !(size > 0)) throw Error(field, "must be a positive number");
 }
 
-MassProperties sphere_mass(double r) {
-  const double volume = 4.0 / 3 * pi * r * r * r;
-  return {volume, {}, Mat3d::identity() * (0.4 * volume * r * r)};
-}
-
-// A cylinder and two half balls whose centres of mass are 3/8 r beyond its ends.
-MassProperties capsule_mass(double r, double half) {
-  const double cylinder = 2 * half * pi * r * r, ball = 4.0 / 3 * pi * r * r * r;
-  const double along = 0.5 * cylinder * r * r + 0.4 * ball * r * r;
-  const double across = cylinder * (r * r / 4 + half * half / 3) + ball * (0.4 * r * r + half * half + 0.75 * half * r);
-  return {cylinder + ball, {}, Mat3d::diagonal({across, along, across})};
-}
-
 std::uint64_t content_hash(const Geometry& g) {
   Hasher hasher;
-  hasher.add(g.kind).add(g.radius).add(g.half_length).add_all(std::span<const Vec3>(g.hull.vertices));
+  hasher.add(g.kind).add(g.radius).add(g.half_length);
+  if (g.kind == ShapeKind::ellipsoid) hasher.add(g.radii);
+  hasher.add_all(std::span<const Vec3>(g.hull.vertices));
   for (const Polyhedron::Face& face : g.hull.faces) hasher.add(face.count);
   return hasher.add_all(std::span<const std::uint32_t>(g.hull.loops)).value();
 }
+
+// Not less than the length, for all rounding.
+Real at_least(double length) { return Real(length) * (1 + std::numeric_limits<Real>::epsilon()); }
 
 void complete_hull(Geometry& g) {
   // −0 and 0 are the same place and must have the same hash.
@@ -38,7 +32,39 @@ void complete_hull(Geometry& g) {
   g.mass = complete(g.hull);
   double farthest = 0;
   for (const Vec3& v : g.hull.vertices) farthest = max(farthest, length(convert<double>(v)));
-  g.bounding_radius = Real(farthest) * (1 + std::numeric_limits<Real>::epsilon());  // not less, for all rounding
+  g.bounding_radius = at_least(farthest);
+}
+
+void complete_ellipsoid(Geometry& g) {
+  g.mass = mass_of(solid::Ellipsoid{convert<double>(g.radii)});
+  g.bounding_radius = max_component(g.radii);
+}
+
+void complete_by_radius(Geometry& g) {
+  check_size("radius", g.radius);
+  const bool ball = g.kind == ShapeKind::sphere || g.kind == ShapeKind::hollow_sphere;
+  if (!ball) check_size(g.kind == ShapeKind::capsule ? "length" : "height", g.half_length);
+  const double r = double(g.radius), half = double(g.half_length);
+  switch (g.kind) {
+    case ShapeKind::sphere:
+      g.mass = mass_of(solid::Sphere{r});
+      break;
+    case ShapeKind::capsule:
+      g.mass = mass_of(solid::Capsule{r, 2 * half});
+      g.bounding_radius = g.radius + g.half_length;
+      return;
+    case ShapeKind::cylinder:
+      g.mass = mass_of(solid::Cylinder{r, 2 * half});
+      break;
+    case ShapeKind::cone:
+      g.mass = mass_of(solid::Cone{r, 2 * half});
+      g.mass.center = {};  // the origin (shape.h)
+      g.bounding_radius = at_least(max(1.5 * half, sqrt(r * r + half * half / 4)));
+      return;
+    default:
+      break;
+  }
+  g.bounding_radius = ball ? g.radius : at_least(sqrt(r * r + half * half));
 }
 
 }
@@ -46,33 +72,42 @@ void complete_hull(Geometry& g) {
 std::shared_ptr<const Geometry> make_geometry(Geometry&& plain) {
   Geometry g = std::move(plain);
   switch (g.kind) {
-    case ShapeKind::sphere:
-      check_size("radius", g.radius);
-      g.mass = sphere_mass(double(g.radius));
-      g.bounding_radius = g.radius;
-      break;
-    case ShapeKind::capsule:
-      check_size("radius", g.radius);
-      check_size("length", g.half_length);
-      g.mass = capsule_mass(double(g.radius), double(g.half_length));
-      g.bounding_radius = g.radius + g.half_length;
-      break;
     case ShapeKind::half_space:
       g.bounding_radius = Real(infinity);
       break;
     case ShapeKind::hull:
       complete_hull(g);
       break;
+    case ShapeKind::ellipsoid:
+      complete_ellipsoid(g);
+      break;
+    case ShapeKind::sphere:
+    case ShapeKind::capsule:
+    case ShapeKind::cylinder:
+    case ShapeKind::cone:
+    case ShapeKind::hollow_sphere:
+    case ShapeKind::hollow_cylinder:
+      complete_by_radius(g);
+      break;
     default:
       throw Error("kind", "is no kind of shape");
   }
-  const bool massive = g.kind != ShapeKind::half_space;
-  if (massive &&
-      !(std::isfinite(trace(g.mass.inertia)) && trace(g.mass.inertia) > 0 && g.bounding_radius < Real(1e15))) {
+  const bool heavy = std::isfinite(trace(g.mass.inertia)) && trace(g.mass.inertia) > 0;
+  if (g.kind != ShapeKind::half_space && !(g.bounding_radius < Real(1e15) && (heavy || !has_mass(g.kind)))) {
     throw Error("shape", "is too small or too large to have a mass");
   }
   g.hash = content_hash(g);
   return std::make_shared<const Geometry>(std::move(g));
+}
+
+namespace {
+
+// How far a disc of radius 1 at right angles to the unit vector `axis` reaches along each coordinate.
+Vec3 disc_reach(const Vec3& axis) {
+  const auto across = [](Real x) { return sqrt(max(Real(0), (1 - x) * (1 + x))); };
+  return {across(axis.x), across(axis.y), across(axis.z)};
+}
+
 }
 
 Box bounds(const Geometry& g, const Pose& pose, Real margin) {
@@ -91,10 +126,32 @@ Box bounds(const Geometry& g, const Pose& pose, Real margin) {
       break;
     }
     case ShapeKind::sphere:
+    case ShapeKind::hollow_sphere:
     case ShapeKind::capsule:
       high = abs(rotate(pose.q, Vec3{0, g.half_length, 0})) + Vec3{g.radius, g.radius, g.radius};
       low = -high;
       break;
+    case ShapeKind::cylinder:
+    case ShapeKind::hollow_cylinder: {
+      const Vec3 axis = rotate(pose.q, Vec3{0, 1, 0});
+      high = abs(axis) * g.half_length + disc_reach(axis) * g.radius;
+      low = -high;
+      break;
+    }
+    case ShapeKind::cone: {
+      const Vec3 axis = rotate(pose.q, Vec3{0, 1, 0}), apex = axis * (g.half_length * Real(1.5));
+      const Vec3 base = axis * (g.half_length * Real(-0.5)), reach = disc_reach(axis) * g.radius;
+      low = min(apex, base - reach);
+      high = max(apex, base + reach);
+      break;
+    }
+    case ShapeKind::ellipsoid: {
+      const Mat3 turn = matrix(pose.q);
+      const Vec3 x = turn.c0 * g.radii.x, y = turn.c1 * g.radii.y, z = turn.c2 * g.radii.z;
+      high = {length(Vec3{x.x, y.x, z.x}), length(Vec3{x.y, y.y, z.y}), length(Vec3{x.z, y.z, z.z})};
+      low = -high;
+      break;
+    }
   }
   const Vec3 wider{margin, margin, margin};
   return {pose.p + (low - wider), pose.p + (high + wider)};

@@ -9,15 +9,16 @@ namespace sudar::inline SUDAR_PRECISION {
 
 struct Geometry {
   ShapeKind kind = ShapeKind::sphere;
-  Real radius = 0;           // sphere, capsule
-  Real half_length = 0;      // capsule
+  Real radius = 0;           // sphere, capsule, cylinder, cone, hollows
+  Real half_length = 0;      // capsule, cylinder, cone, hollow cylinder: the base of a cone is at −half_length/2
+  Vec3 radii;                // ellipsoid
   Polyhedron hull;           // hull
   MassProperties mass;       // per unit density, in the shape's frame
   Real bounding_radius = 0;  // about the origin
   std::uint64_t hash = 0;    // of kind, sizes, vertices and loops: equal content, equal hash
 };
 
-// The one way to a Geometry, for generators and for loading: from its plain data (kind, radius, half_length, the hull's
+// The one way to a Geometry, for generators and for loading: from its plain data (kind, sizes, the hull's
 // vertices and loops) fills the rest. Throws Error naming the field if the data is no body.
 std::shared_ptr<const Geometry> make_geometry(Geometry&& plain);
 

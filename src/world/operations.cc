@@ -23,9 +23,31 @@ void World::Impl::require(Joint j, const char* what) const {
 
 // --- bodies ---
 
+namespace {
+
+// A hollow collides with spheres only (shape.h): better refused than passed through in silence.
+void check_hollows(const World::Impl& w, const BodyDef& def) {
+  bool hollows = is_hollow(def.shape.kind());
+  for (std::uint32_t g = 0; g < w.geometry.size(); ++g) hollows |= is_hollow(w.geometry[g].kind());
+  if (!hollows) return;
+  for (std::uint32_t i = 0; i < w.bodies.size(); ++i) {
+    if (!w.bodies.slots.used(i)) continue;
+    const ShapeKind mine = def.shape.kind(), other = w.geometry_of(i).kind;
+    const bool strange = (is_hollow(mine) && other != ShapeKind::sphere) || (is_hollow(other) && mine != ShapeKind::sphere);
+    const bool one_moves = def.motion == Motion::dynamic || w.bodies.dynamic(i);
+    if (strange && one_moves && may_touch(def.filter, w.bodies.filter[i])) {
+      throw Error("shape", "would meet a hollow, or is one that would meet a body, and only spheres collide with "
+                           "hollows: let the filters keep the two apart");
+    }
+  }
+}
+
+}
+
 Body World::Impl::perform(const AddBody& op) {
   validate("", op.def);
   check_body(op.def);
+  check_hollows(*this, op.def);
   const std::uint32_t i = bodies.add(op.def, geometry.number_of(op.def.shape));
   if (i >= body_names.size()) body_names.resize(i + 1), proxies.resize(i + 1);
   body_names[i] = op.def.name;

@@ -37,16 +37,17 @@ void check_mass(const BodyDef& def) {
 }
 
 void check_body(const BodyDef& def) {
-  if (def.shape.kind() == ShapeKind::half_space && def.motion != Motion::fixed) {
-    throw Error("motion", "must be fixed: a half space has no mass");
+  const bool massive = has_mass(def.shape.kind());
+  if (!massive && def.motion != Motion::fixed) {
+    throw Error("motion", "must be fixed: a half space or a hollow has no mass");
   }
   if (def.motion == Motion::fixed && (def.velocity != Vec3{} || def.spin != Vec3{})) {
     throw Error(def.velocity != Vec3{} ? "velocity" : "spin", "must be zero: the body is fixed");
   }
-  if (def.shape.kind() != ShapeKind::half_space) {
+  if (massive) {
     check_mass(def);
   } else if (def.center || def.inertia) {
-    throw Error(def.center ? "center" : "inertia", "is given, but a half space has none");
+    throw Error(def.center ? "center" : "inertia", "is given, but a half space or a hollow has none");
   }
 }
 

@@ -72,7 +72,7 @@ void check_body(const World::Impl& w, std::uint32_t i) {
   if (b.geometry[i] >= w.geometry.size()) bad("names a geometry that it does not hold");
   if (!b.slots.used(i)) return;
   if (int(b.motion[i]) >= count_of(b.motion[i])) bad("holds a body whose motion is unknown");
-  if (b.motion[i] != Motion::fixed && w.is_half_space(i)) bad("holds a half space that moves");
+  if (b.motion[i] != Motion::fixed && !has_mass(w.geometry_of(i).kind)) bad("holds a moving body without mass");
   if (b.motion[i] != Motion::dynamic && b.inverse_mass[i] != 0) bad("holds a fixed body that moves");
   const bool finite = is_finite(b.position[i]) && is_finite(b.orientation[i]) && is_finite(b.velocity[i]) &&
                       is_finite(b.angular_momentum[i]) && is_finite(b.spin[i]);

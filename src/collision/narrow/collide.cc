@@ -1,6 +1,7 @@
 #include "collision/narrow/collide.h"
 
 #include "collision/narrow/clip.h"
+#include "collision/narrow/curved.h"
 #include "collision/narrow/plane.h"
 #include "collision/narrow/round.h"
 #include "collision/narrow/sat.h"
@@ -62,11 +63,26 @@ void collide_plane(const Placed& a, const Placed& plane, Real margin, Manifold& 
   }
 }
 
+// b's kind is after that of hulls.
+void collide_beyond_hulls(const Placed& a, const Placed& b, Real margin, Manifold& out) {
+  const ShapeKind ka = a.geometry->kind;
+  if (is_hollow(b.geometry->kind)) {
+    if (ka == ShapeKind::sphere) collide_sphere_hollow(a, b, margin, out);
+  } else if (ka == ShapeKind::half_space) {
+    collide_curved_plane(b, a, margin, out);
+    out.normal = -out.normal;
+  } else {
+    collide_curved(a, b, margin, out);
+  }
+}
+
 // a's kind is not after b's.
 void collide_ordered(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out) {
   const ShapeKind ka = a.geometry->kind, kb = b.geometry->kind;
   assert(!(ka == ShapeKind::half_space && kb == ShapeKind::half_space));
-  if (ka == ShapeKind::half_space) {
+  if (kb > ShapeKind::hull) {
+    collide_beyond_hulls(a, b, margin, out);
+  } else if (ka == ShapeKind::half_space) {
     collide_plane(b, a, margin, out);
     out.normal = -out.normal;
   } else if (kb == ShapeKind::half_space) {

@@ -27,8 +27,8 @@ std::vector<Named> polyhedra() {
           {"prism", prism(24, 6, 6), 48, 72, 26},
           {"outline", prism(outline, 2), 10, 15, 7},
           {"pyramid", pyramid(12, 40, 10), 13, 24, 13},
-          {"cylinder", cylinder(1, 2), 64, 96, 34},
-          {"cone", cone(1, 2), 33, 64, 33},
+          {"cylinder", cylinder(1, 2, 32), 64, 96, 34},
+          {"cone", cone(1, 2, 32), 33, 64, 33},
           {"uv_sphere", uv_sphere(1), 24 * 11 + 2, 24 * 23, 24 * 12},
           {"tetrahedron", tetrahedron(2), 4, 6, 4},
           {"octahedron", octahedron(2), 6, 12, 8},
@@ -140,6 +140,11 @@ TEST(Generators, RefuseBadInputAndNameIt) {
     expect_field("height", [&] { pyramid(5, 1, bad); });
     expect_field("height", [&] { cylinder(1, bad); });
     expect_field("radius", [&] { cone(bad, 1); });
+    expect_field("height", [&] { cylinder(1, bad, 9); });
+    expect_field("radius", [&] { cone(bad, 1, 9); });
+    expect_field("radii.y", [&] { ellipsoid({1, bad, 1}); });
+    expect_field("radius", [&] { hollow_sphere(bad); });
+    expect_field("height", [&] { hollow_cylinder(1, bad); });
     expect_field("radius", [&] { uv_sphere(bad); });
     expect_field("edge", [&] { tetrahedron(bad); });
     expect_field("edge", [&] { octahedron(bad); });
@@ -247,7 +252,7 @@ TEST(MakeGeometry, RefusesBrokenData) {
 
 TEST(Bounds, AreTheSmallestBox) {
   Random random;
-  std::vector<Shape> shapes{sphere(1), capsule(Real(0.5), 2)};
+  std::vector<Shape> shapes{sphere(1), capsule(Real(0.5), 2), hollow_sphere(2)};
   for (const Named& n : polyhedra()) shapes.push_back(n.shape);
   for (const Shape& s : shapes) {
     const double near = 1e-5 * double(s.bounding_radius());
@@ -266,6 +271,24 @@ TEST(Bounds, AreTheSmallestBox) {
         if (s.radius() > 0) reach({0, s.half_length(), 0}, s.radius()), reach({0, -s.half_length(), 0}, s.radius());
         EXPECT_NEAR(b.low[axis], low - 0.25, near);
         EXPECT_NEAR(b.high[axis], high + 0.25, near);
+      }
+    }
+  }
+  // Curved shapes: by their support functions.
+  for (const Shape& s : {cylinder(1, 3), cylinder(2, Real(0.1)), cone(1, 2), ellipsoid({1, 2, 3}), hollow_cylinder(1, 4)}) {
+    for (int i = 0; i < 50; ++i) {
+      const Pose pose{{random.between(-50, 50), 0, 7}, convert<Real>(random.rotation())};
+      const Box b = bounds(s.geometry(), pose, 0);
+      for (int axis = 0; axis < 6; ++axis) {
+        Vec3 d;
+        d[axis % 3] = axis < 3 ? Real(1) : Real(-1);
+        const Vec3d u = convert<double>(rotate_back(pose.q, d));
+        const double h = s.half_length(), across = s.radius() * std::hypot(u.x, u.z);
+        const double reach = s.kind() == ShapeKind::ellipsoid ? length(scale(convert<double>(s.radii()), u))
+                             : s.kind() == ShapeKind::cone    ? std::max(1.5 * h * u.y, across - 0.5 * h * u.y)
+                                                              : across + h * std::abs(u.y);
+        const double got = axis < 3 ? b.high[axis] - pose.p[axis] : pose.p[axis - 3] - b.low[axis - 3];
+        EXPECT_NEAR(got, reach, 1e-5);
       }
     }
   }

@@ -57,6 +57,27 @@ Case body(const char* field, const std::function<void(BodyDef&)>& spoil) {
           }};
 }
 
+// Only spheres collide with hollows; what would fall through in silence is refused instead.
+TEST(Definitions, OnlySpheresGoIntoHollows) {
+  const BodyDef bowl{.shape = hollow_sphere(2), .motion = Motion::fixed};
+  const auto refused = [](World& w, const BodyDef& def) {
+    try {
+      w.add(def);
+      return false;
+    } catch (const Error& e) { return e.field == "shape"; }
+  };
+  World w;
+  w.add(bowl);
+  EXPECT_FALSE(refused(w, {.shape = sphere(1)}));
+  EXPECT_FALSE(refused(w, {.shape = half_space(), .motion = Motion::fixed}));
+  EXPECT_TRUE(refused(w, {.shape = box({1, 1, 1})}));
+  EXPECT_TRUE(refused(w, {.shape = cylinder(1, 1), .at = {100, 0, 0}}));
+  EXPECT_FALSE(refused(w, {.shape = box({1, 1, 1}), .filter = {.category = 2, .mask = 0}}));
+  World later;
+  later.add({.shape = box({1, 1, 1})});
+  EXPECT_TRUE(refused(later, bowl));
+}
+
 TEST(Definitions, Bodies) {
   expect_refused({
       body("shape", [](BodyDef& d) { d.shape = {}; }),
@@ -98,6 +119,8 @@ TEST(Definitions, Bodies) {
       body("motion", [](BodyDef& d) { d.motion = Motion(7); }),
       body("motion", [](BodyDef& d) { d.shape = half_space(); }),
       body("motion", [](BodyDef& d) { d.shape = half_space(), d.motion = Motion::kinematic; }),
+      body("motion", [](BodyDef& d) { d.shape = hollow_sphere(1); }),
+      body("motion", [](BodyDef& d) { d.shape = hollow_cylinder(1, 1), d.motion = Motion::kinematic; }),
       body("velocity",
            [](BodyDef& d) {
              d.motion = Motion::fixed, d.velocity = {1, 0, 0};

@@ -154,7 +154,8 @@ TEST(Ray, HitsEveryShape) {
     Shape shape;
     double top;  // above the shape's origin
   } cases[] = {{sphere(2), 2},        {capsule(Real(0.5), 3), 2}, {box({2, 4, 6}), 2},  {half_space(), 0},
-               {prism(6, 2, 3), 1.5}, {pyramid(4, 2, 4), 3},      {cylinder(1, 5), 2.5}};
+               {prism(6, 2, 3), 1.5}, {pyramid(4, 2, 4), 3},      {cylinder(1, 5, 32), 2.5},
+               {cylinder(1, 5), 2.5}, {cone(2, 4), 3},             {ellipsoid({1, 2, 3}), 2}};
   for (const auto& c : cases) {
     for (const double height : {0.0, 1e6}) {
       World w(steady());
