@@ -19,7 +19,7 @@ LightBox casters(const Scene& scene, const Focus& focus, const Pos& eye, const F
     return Vec3f{dot(v, axes.right), dot(v, axes.up), dot(v, axes.back)};
   };
   // Large fixed things count only near the focus, or the shadow map would be too coarse for the rest.
-  const float reach = 2.5f * float(focus.radius);
+  const float reach = 8 * float(focus.radius);
   const Vec3f centre = in_light(focus.centre), limit{reach, reach, reach};
   LightBox box{centre, centre};
   for (const Instance& i : scene.instances) {

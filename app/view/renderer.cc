@@ -101,11 +101,13 @@ struct Renderer::Impl {
   void draw_shadows() const {
     begin_pass(shadow_map->framebuffer, shadow_map->texels, shadow_map->texels, true);
     glClear(GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_DEPTH_CLAMP);  // what stands nearer to the sun than the map's box casts its shadow all the same
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5f, 2.0f);
     shadow.use();
     bodies.draw();
     glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_DEPTH_CLAMP);
   }
 
   void draw_solids(const Scene& scene, const Camera& camera, const Focus& focus, const Style& style) const {

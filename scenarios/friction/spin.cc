@@ -7,7 +7,7 @@ using namespace sudar;
 
 struct Spin : Scenario {
   static constexpr double seconds = 60;
-  static constexpr double picture = 4;
+  static constexpr double picture = 1;
   static constexpr const char* about = "a box, a football, a disc and a ball spin and come to rest";
   Real gravity = 1, rolling = 0.05, spinning = 0.1;
   Body box_, football, disc, ball;

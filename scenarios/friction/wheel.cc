@@ -52,6 +52,6 @@ struct Wheel : Scenario {
     if (restitution > 0) return;
     c.near("spin before a corner comes down", fastest, spin_before_a_corner(), 0.03 * fastest, "rad/s");
   }
-  std::optional<Camera> camera() const override { return Camera{{10, 2, 24}, {12, -5, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{9, 4, 32}, {8, -5, 0}}; }
 };
 SUDAR_SCENARIO(Wheel, "Friction/Wheel")

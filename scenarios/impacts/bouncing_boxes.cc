@@ -46,6 +46,6 @@ struct BouncingBoxes : Scenario {
       c.near("apex with e = 1 − 2^−" + std::to_string(i), apex[std::size_t(i)], exact, 0.003 * exact + 0.01, "m");
     }
   }
-  std::optional<Camera> camera() const override { return Camera{{7, 3, 40}, {0, -3, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{7, 4, 46}, {0, -1.5, 0}}; }
 };
 SUDAR_SCENARIO(BouncingBoxes, "Impacts/Bouncing boxes")

@@ -52,6 +52,6 @@ struct Cradle : Scenario {
     c.near("speed of the ball that leaves", speed_out, speed, 0.01 * speed, "m/s");
     c.below("speed of the fastest other", others, 0.01 * speed, "m/s");
   }
-  std::optional<Camera> camera() const override { return Camera{{10, 2, 27}, {3, -0.5, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{10, 2, 30}, {3, -0.5, 0}}; }
 };
 SUDAR_SCENARIO(Cradle, "Impacts/Newton's cradle")

@@ -52,6 +52,6 @@ struct Towers : Scenario {
       if (w.config().sleep) c.at(20).that(name + ": sleeps", w[cubes[t].back()].asleep());
     }
   }
-  std::optional<Camera> camera() const override { return Camera{{48, 62, 160}, {2, 42, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{50, 62, 172}, {2, 43, 0}}; }
 };
 SUDAR_SCENARIO(Towers, "Stacking/Towers")

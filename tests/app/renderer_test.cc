@@ -51,6 +51,11 @@ Mean mean_colour(const Image& image, const IdImage& ids, std::uint32_t id) {
   return {mean.red / pixels, mean.green / pixels, mean.blue / pixels};
 }
 
+int brightness(const Image& image, int x, int y) {
+  const std::uint8_t* p = image.pixel(x, y);
+  return int(p[0]) + p[1] + p[2];
+}
+
 struct Drawing : testing::Test {
   Offscreen offscreen;
   Scene scene = three_bodies();
@@ -82,12 +87,9 @@ TEST_F(Drawing, BodiesHaveTheirColours) {
 
 TEST_F(Drawing, SkyIsBrighterThanShadowOnTheGround) {
   const Image image = offscreen.picture(scene, front(), {}, width, height);
-  const auto brightness = [&](int x, int y) {
-    return int(image.pixel(x, y)[0]) + image.pixel(x, y)[1] + image.pixel(x, y)[2];
-  };
   int darkest = 3 * 255;  // the sun stands behind the left shoulder: the shadows lie behind, to the right
-  for (int x = 0; x < width; ++x) darkest = std::min(darkest, brightness(x, height * 3 / 5));
-  EXPECT_GT(brightness(width / 2, 2), 350);
+  for (int x = 0; x < width; ++x) darkest = std::min(darkest, brightness(image, x, height * 3 / 5));
+  EXPECT_GT(brightness(image, width / 2, 2), 350);
   EXPECT_LT(darkest, 300);
 }
 
@@ -131,6 +133,40 @@ TEST_F(Drawing, TwoThousandBoxes) {
   EXPECT_EQ(count(offscreen.ids(many, above, 1280, 720)).size(), 2001u);
   const Image image = offscreen.picture(many, above, {.samples = 1}, 1280, 720);
   EXPECT_EQ(image.rgba.size(), 1280u * 720u * 4u);
+}
+
+// The dark underside of a long wedge, seen at a flat angle: one colour that changes slowly. Ambient occlusion drew
+// hatching on it, since the middle of a pixel lies on the corner of four samples of the depth, and rounding chose.
+TEST(Occlusion, DrawsNoHatchingAtFlatAngles) {
+  Scene scene;
+  add_instance(scene, half_space(), {.fixed = true});
+  const Vec3 outline[] = {{0, 0, 0}, {100, 20, 0}, {-100, 20, 0}};
+  add_instance(scene, prism(outline, 60), {.pose = {{10, 0, 150}, axis_angle(Vec3{0, 1, 0}, Real(pi / 2))}});
+  const Camera camera{.eye = {110, 25, 260}, .target = {0, 5, 140}};
+  Offscreen offscreen;
+  const Image image = offscreen.picture(scene, camera, {}, 640, 360);
+  int lines = 0;
+  for (int y = 130; y < 160; ++y) {
+    for (int x = 340; x < 420; ++x) {
+      const int left = brightness(image, x - 1, y), here = brightness(image, x, y), right = brightness(image, x + 1, y);
+      lines += (here > left + 9 && here > right + 9) || (here < left - 9 && here < right - 9);
+    }
+  }
+  EXPECT_LT(lines, 5) << "of 2400 pixels";
+}
+
+// A roof that is much larger than what the picture is about, and reaches far towards the sun, shades the ground.
+TEST(Shadows, OfLargeFixedThingsAreWhole) {
+  Scene scene;
+  add_instance(scene, half_space(), {.fixed = true});
+  add_instance(scene, sphere(1), {.pose = {{0, 1, 0}, {}}});
+  add_instance(scene, box({400, 1, 400}), {.pose = {{0, 80, 0}, axis_angle(Vec3{0, 0, 1}, Real(-0.5))}, .fixed = true});
+  Offscreen offscreen;
+  const Camera camera{.eye = {0, 3, 12}, .target = {0, 1, 0}};
+  const Image shaded = offscreen.picture(scene, camera, {}, width, height);
+  scene.instances.pop_back();
+  const Image open = offscreen.picture(scene, camera, {}, width, height);
+  for (const int x : {40, 100, 280}) EXPECT_LT(brightness(shaded, x, 150), brightness(open, x, 150) - 100) << x;
 }
 
 TEST(Palette, NeighboursDifferAndStayInRange) {

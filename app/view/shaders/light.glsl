@@ -29,7 +29,8 @@ float sunlight(vec3 position, vec3 normal) {
   vec3 lifted = position + normal * sun.w * (1.2 + 3.5 * slope);  // off the surface, or it shadows itself
   vec4 clip = sun_projection * vec4(lifted, 1.0);
   vec3 place = clip.xyz * 0.5 + 0.5;
-  if (any(lessThan(place, vec3(0.0))) || any(greaterThan(place, vec3(1.0)))) return 1.0;
+  vec3 inside = 0.5 - abs(place - 0.5);
+  if (any(lessThan(inside, vec3(0.0)))) return 1.0;
   vec2 texel = softness / vec2(textureSize(shadow_map, 0));
   float turn = 6.2831853 * pixel_noise(gl_FragCoord.xy);
   float seen = 0.0;
@@ -38,7 +39,8 @@ float sunlight(vec3 position, vec3 normal) {
     float angle = 2.3999632 * float(i) + turn;
     seen += texture(shadow_map, vec3(place.xy + texel * radius * vec2(cos(angle), sin(angle)), place.z));
   }
-  return seen / float(samples);
+  // Shadows of what reaches out of the map end softly.
+  return mix(1.0, seen / float(samples), smoothstep(0.0, 0.06, min(inside.x, inside.y)));
 }
 
 // Light from a surface to the eye. Alpha: the share of it that is ambient, which ambient occlusion may take away.

@@ -4,20 +4,21 @@ uniform sampler2D occlusion;
 uniform sampler2D depth;
 uniform int samples;        // per pixel along each side
 uniform bool occluded;      // is there an occlusion map?
-in vec2 screen;
 out vec4 colour;
+
+float depth_at(ivec2 pixel) { return texelFetch(depth, pixel * samples + samples / 2, 0).x; }
 
 // Mean of the 4 × 4 pixels over which the occlusion's samples are turned, as far as they lie at about the same depth.
 float openness() {
   if (!occluded) return 1.0;
-  vec2 texel = 1.0 / vec2(textureSize(occlusion, 0));
-  float here = textureLod(depth, screen, 0.0).x, sum = 0.0, weights = 1e-4;
-  float tolerance = 0.015 * (1.0 - here) + 1e-7;
+  ivec2 here = ivec2(gl_FragCoord.xy), last = textureSize(occlusion, 0) - 1;
+  float depth_here = depth_at(here), sum = 0.0, weights = 1e-4;
+  float tolerance = 0.015 * (1.0 - depth_here) + 1e-7;
   for (int y = -2; y < 2; ++y) {
     for (int x = -2; x < 2; ++x) {
-      vec2 where = screen + texel * (vec2(x, y) + 0.5);
-      float weight = abs(textureLod(depth, where, 0.0).x - here) < tolerance ? 1.0 : 0.02;
-      sum += weight * textureLod(occlusion, where, 0.0).x;
+      ivec2 there = clamp(here + ivec2(x, y), ivec2(0), last);
+      float weight = abs(depth_at(there) - depth_here) < tolerance ? 1.0 : 0.02;
+      sum += weight * texelFetch(occlusion, there, 0).x;
       weights += weight;
     }
   }
