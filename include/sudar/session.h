@@ -61,6 +61,9 @@ class Session {
   const World& world() const { return world_; }
   const Check& check() const { return check_; }
   const std::vector<Params::Entry>& params() const { return params_; }
+  // Why the scenario neither acts nor watches any more, while the world goes on: it looks at something that was removed
+  // by hand. Its verdict is bad then. Empty: it does.
+  const std::string& abandoned() const { return abandoned_; }
   double seconds() const { return seconds_; }                 // simulated
   double dt() const;                                          // simulated seconds a step
   bool done() const;                                          // reached seconds()
@@ -68,12 +71,15 @@ class Session {
 
  private:
   Session() = default;
+  template <class F>
+  void unless_abandoned(F);
   const ScenarioEntry* entry_ = nullptr;
   std::unique_ptr<Scenario, void (*)(Scenario*)> scenario_{nullptr, nullptr};
   std::vector<Params::Entry> params_;
   World world_;
   Check check_;
   double seconds_ = 0;
+  std::string abandoned_;
 };
 
 }

@@ -56,6 +56,22 @@ void expect_replays(const ScenarioEntry& entry) {
   EXPECT_EQ(replay.world().hash(), session.world().hash());
 }
 
+// Whatever is removed by hand, the world goes on.
+void expect_goes_on(const ScenarioEntry& entry) {
+  Session session(entry);
+  const auto step = [&] {
+    for (int i = 0; i < 50; ++i) session.step();
+  };
+  step();
+  World& w = session.world();
+  const std::vector<Body> bodies = w.bodies();
+  for (std::size_t i = 0; i < bodies.size(); i += 2) w.remove(bodies[i]);
+  step();
+  for (Body b : w.bodies()) w.remove(b);
+  step();
+  EXPECT_EQ(w.steps(), 150);
+}
+
 class Run : public testing::Test {
  public:
   explicit Run(std::function<void()> body) : body_(std::move(body)) {}
@@ -93,6 +109,7 @@ int main(int argc, char** argv) {
     add_test(*entry, "passes_without_sleep", [entry] { expect_passes(*entry, awake); });
     add_test(*entry, "restores", [entry] { expect_restores(*entry, {}), expect_restores(*entry, awake); });
     add_test(*entry, "replays", [entry] { expect_replays(*entry); });
+    add_test(*entry, "goes_on", [entry] { expect_goes_on(*entry); });
     add_test(*entry, "answers_keys", [entry] { expect_answers(*entry); });
   }
   for (const Variant& v : variants()) {
