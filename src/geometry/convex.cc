@@ -44,10 +44,10 @@ Vec3d farthest(const Geometry& g, const Vec3d& d) {
 
 }
 
-Convex::Convex(const Geometry& g, const Transform& pose)
+Convex::Convex(const Geometry& g, const Quat& q, const Vec3d& origin)
     : geometry(&g),
-      turn(matrix(normalize(convert<double>(pose.q)))),
-      at(convert<double>(pose.p)),
+      turn(matrix(normalize(convert<double>(q)))),
+      at(origin),
       round(g.kind == ShapeKind::sphere || g.kind == ShapeKind::capsule ? double(g.radius) : 0) {}
 
 Vec3d Convex::support(const Vec3d& direction) const {

@@ -12,7 +12,9 @@ struct Convex {
   Vec3d at;
   double round;
 
-  Convex(const Geometry&, const Transform& pose);
+  Convex(const Geometry&, const Quat& turn, const Vec3d& at);
+  Convex(const Geometry& g, const Transform& pose) : Convex(g, pose.q, convert<double>(pose.p)) {}
+  bool thin() const { return round > 0 || geometry->kind == ShapeKind::sphere; }  // the core is a point or a segment
   Vec3d axis() const { return turn.c1; }
   Vec3d point(const Vec3d& local) const { return at + turn * local; }
   // A point of the core farthest along `direction`, which may have any length.

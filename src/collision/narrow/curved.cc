@@ -43,10 +43,12 @@ void collide_curved(const Placed& pa, const Placed& pb, Real margin, Manifold& o
   overlay(of_a, of_b, how, points);
   if (points.size() > 0) {
     reduce(points.all(), out.normal, Real(0.02) * max(margin, Real(0)), Real(how.thick), out);
-    // Else the parts pass beside what is deepest.
-    if (s.distance > 0 || lowest(out) <= s.distance / 2 + how.thick) return;
+    // Else the parts pass beside what is nearest or deepest.
+    if (lowest(out) <= (s.distance > 0 ? s.distance : s.distance / 2) + how.thick) return;
   }
-  out.points[0] = {convert<Real>(s.on_a * how.share + s.on_b * (1 - how.share)), Real(s.distance), lone_point};
+  const std::uint32_t end_of_a = of_a.feature_at(s.on_a, how.thick), end_of_b = of_b.feature_at(s.on_b, how.thick);
+  out.points[0] = {convert<Real>(s.on_a * how.share + s.on_b * (1 - how.share)), Real(s.distance),
+                   end_of_b != lone_point ? end_of_b : end_of_a};
   out.count = 1;
 }
 
@@ -54,13 +56,17 @@ void collide_curved_plane(const Placed& placed, const Placed& plane, Real margin
   const Convex a(*placed.geometry, placed.pose);
   const Vec3d n = rotate(normalize(convert<double>(plane.pose.q)), Vec3d{0, 1, 0});
   out.normal = convert<Real>(n);
-  Vec3d points[4];
-  std::uint32_t ids[4];
-  const int count = lowest_points(a, -n, points, ids);
-  for (int i = 0; i < count; ++i) {
-    const double separation = dot(n, points[i] - convert<double>(plane.pose.p));
-    if (!(separation < double(margin))) continue;
-    out.points[std::size_t(out.count++)] = {convert<Real>(points[i]), Real(separation), ids[i]};
+  const Patch part = touching_part(a, -n);
+  const auto add = [&](const Vec3d& p, std::uint32_t feature) {
+    const double separation = dot(n, p - convert<double>(plane.pose.p));
+    if (!(separation < double(margin))) return;
+    out.points[std::size_t(out.count++)] = {convert<Real>(p), Real(separation), feature};
+  };
+  if (part.kind == Patch::disc) {
+    for (int k = 0; k < 4; ++k) add(part.rim(k), part.id[0] + std::uint32_t(k));
+  } else {
+    add(part.start, part.id[0]);
+    if (part.kind == Patch::segment) add(part.end, part.id[1]);
   }
 }
 

@@ -54,9 +54,6 @@ Patch side_line(const Convex& body, const Vec3d& direction) {
   return segment(low, cap_rim[0] + tilted, body.at + axis * half + out, cap_rim[1] + tilted);
 }
 
-// How far the line along the side rises towards its end, as a sine.
-double slope(const Patch& line, const Vec3d& direction) { return dot(normalize(line.end - line.start), direction); }
-
 Patch hull_part(const Convex& body, const Vec3d& direction) {
   const Polyhedron& hull = body.geometry->hull;
   const Vec3d d{dot(body.turn.c0, direction), dot(body.turn.c1, direction), dot(body.turn.c2, direction)};
@@ -243,6 +240,12 @@ Vec3d Patch::rim(int quarter) const {
   return start + way * (quarter < 2 ? radius : -radius);
 }
 
+std::uint32_t Patch::feature_at(const Vec3d& place, double thick) const {
+  if (kind != segment) return lone_point;
+  if (length_squared(place - start) <= square(thick)) return id[0];
+  return length_squared(place - end) <= square(thick) ? id[1] : lone_point;
+}
+
 Patch touching_part(const Convex& body, const Vec3d& direction) {
   const Geometry& g = *body.geometry;
   const double rise = dot(body.axis(), direction), half = double(g.half_length);
@@ -254,10 +257,8 @@ Patch touching_part(const Convex& body, const Vec3d& direction) {
   if (g.kind == ShapeKind::cone && rise < -flat_cosine) {
     return disc_of(body, 0, -body.axis(), -0.5 * half, direction);
   }
-  if (g.kind == ShapeKind::cylinder || g.kind == ShapeKind::cone || g.kind == ShapeKind::capsule) {
-    Patch line = side_line(body, direction);
-    if (abs(slope(line, direction)) < flat_sine) return line;
-  }
+  const bool has_side = g.kind == ShapeKind::cylinder || g.kind == ShapeKind::cone || g.kind == ShapeKind::capsule;
+  if (has_side) return side_line(body, direction);
   Patch p;
   p.start = p.end = body.support(direction) + direction * body.round;
   return p;
@@ -266,22 +267,6 @@ Patch touching_part(const Convex& body, const Vec3d& direction) {
 Vec3d face_across(const Convex& body, const Vec3d& direction) {
   const Patch part = touching_part(body, direction);
   return part.flat() ? part.normal : Vec3d{};
-}
-
-int lowest_points(const Convex& body, const Vec3d& down, Vec3d (&points)[4], std::uint32_t (&ids)[4]) {
-  const Patch part = touching_part(body, down);
-  if (part.kind == Patch::disc) {
-    for (int k = 0; k < 4; ++k) points[k] = part.rim(k), ids[k] = part.id[0] + std::uint32_t(k);
-    return 4;
-  }
-  if (body.geometry->kind == ShapeKind::ellipsoid) {
-    points[0] = part.start, ids[0] = lone_point;
-    return 1;
-  }
-  const Patch line = side_line(body, down);
-  points[0] = line.start, points[1] = line.end;
-  ids[0] = line.id[0], ids[1] = line.id[1];
-  return 2;
 }
 
 std::size_t most_points(const Patch& a, const Patch& b) {

@@ -1,6 +1,7 @@
 // The part of a convex body that meets another one: a point, a segment, a polygon or a disc; and where two such parts
-// lie over each other. A part within 2.9° of square to the contact's normal counts as lying in it, so that what rests a
-// little tilted keeps the points that carry it.
+// lie over each other. A face within 2.9° of square to the contact's normal counts as lying in it, so that what rests a
+// little tilted keeps the points that carry it. The lines along the sides of cylinders, cones and capsules may rise as
+// they like: their lower ends touch, and their upper ends soon are beyond the margin.
 //
 // A disc touches in four points of its rim. Tilted ones are numbered from the lowest on, which is then an exact point
 // of contact: a coin that wobbles rolls on a circle. Without a tilt to speak of the points keep their places on the
@@ -27,15 +28,14 @@ struct Patch {
   std::uint32_t id[2] = {lone_point, lone_point};  // features of the ends; of a disc's first rim point
 
   bool flat() const { return kind == polygon || kind == disc; }
-  Vec3d rim(int quarter) const;  // point 0…3 of a disc
+  Vec3d rim(int quarter) const;                                      // point 0…3 of a disc
+  std::uint32_t feature_at(const Vec3d& place, double thick) const;  // of the end that is there, else lone_point
 };
 
 // The part of the body farthest along the unit vector `direction`.
 Patch touching_part(const Convex& body, const Vec3d& direction);
 // The outward normal of the face that lies within 2.9° of square to `direction`; 0 if there is none.
 Vec3d face_across(const Convex& body, const Vec3d& direction);
-// Ends of what a half space can touch: a disc's four points, a segment's two whatever its tilt, else one.
-int lowest_points(const Convex& body, const Vec3d& down, Vec3d (&points)[4], std::uint32_t (&ids)[4]);
 
 struct Overlay {
   Vec3d normal;   // from b to a, of length 1

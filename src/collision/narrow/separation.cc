@@ -1,6 +1,7 @@
 #include "collision/narrow/separation.h"
 
 #include "collision/narrow/gjk.h"
+#include "geometry/primitives.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 namespace {
@@ -175,6 +176,25 @@ Separation polished(const Convex& a, const Convex& b, WayOut way) {
   return out;
 }
 
+// From that of the cores.
+Separation rounded(const Convex& a, const Convex& b, const Separation& core) {
+  return {core.distance - a.round - b.round, core.normal, core.on_a - core.normal * a.round,
+          core.on_b + core.normal * b.round};
+}
+
+Separation between_segments(const Convex& a, const Convex& b) {
+  const Vec3d along_a = a.axis() * double(a.geometry->half_length),
+              along_b = b.axis() * double(b.geometry->half_length);
+  const auto [on_a, on_b] = closest(Segment3{a.at - along_a, a.at + along_a}, Segment3{b.at - along_b, b.at + along_b});
+  const double distance = length(on_a - on_b);
+  if (distance > 0) return rounded(a, b, {distance, (on_a - on_b) / distance, on_a, on_b});
+  // They cross: out across both, or across the longer one.
+  const Vec3d across = cross(along_a, along_b);
+  const Vec3d longer = length_squared(along_a) < length_squared(along_b) ? b.axis() : a.axis();
+  const Vec3d n = length_squared(across) > 0 ? normalize(across) : any_perpendicular(longer);
+  return rounded(a, b, {0, n, on_a, on_b});
+}
+
 }
 
 double separation_along(const Convex& a, const Convex& b, const Vec3d& normal) {
@@ -182,11 +202,11 @@ double separation_along(const Convex& a, const Convex& b, const Vec3d& normal) {
 }
 
 Separation separation(const Convex& a, const Convex& b, double reach) {
-  const double rounds = a.round + b.round;
-  const Gap g = gap(a, b, {}, a.center() - b.center(), reach + rounds);
-  const Separation s =
-      g.apart ? Separation{g.distance, g.normal, g.on_a, g.on_b} : polished(a, b, Polytope(a, b).shortest_way_out());
-  return {s.distance - rounds, s.normal, s.on_a - s.normal * a.round, s.on_b + s.normal * b.round};
+  if (a.thin() && b.thin()) return between_segments(a, b);
+  const Gap g = gap(a, b, {}, a.center() - b.center(), reach + a.round + b.round);
+  return rounded(
+      a, b,
+      g.apart ? Separation{g.distance, g.normal, g.on_a, g.on_b} : polished(a, b, Polytope(a, b).shortest_way_out()));
 }
 
 }

@@ -1,6 +1,6 @@
 // The signed distance of two convex bodies: positive if they are apart, else minus the depth, which is the length of
 // the shortest way out. Exact but for rounding, also for smooth bodies. How:
-// - Cores that are apart: gap() less the roundings.
+// - Points and segments: in closed form. Cores that are apart: gap(). Less the roundings.
 // - Cores that overlap: the shortest way out is the point of the Minkowski difference's surface nearest to the origin.
 //   A polytope inside the difference is grown, always at its face nearest to the origin (S. Cameron 1997; G. van den
 //   Bergen 2001), until its nearest face and the best support plane seen bracket the depth to `bracket` of it. On
@@ -20,7 +20,6 @@ struct Separation {
   Vec3d on_a, on_b;  // the nearest or the deepest points: on_a − on_b = distance · normal, but for rounding
 };
 
-// The cores must not both be points or segments if they overlap.
 Separation separation(const Convex& a, const Convex& b, double reach);
 
 // How far a and b are apart along `normal` (of length 1, from b to a), negative where they overlap.
