@@ -11,6 +11,12 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+void PassMeter::after_step(const Profile::Passes& p) {
+  used_.push_back(double(p.used));
+  us_.push_back(p.microseconds);
+  if (p.visits > 0) ns_per_visit_.push_back(1000 * p.microseconds / double(p.visits));
+}
+
 void Meter::after_step(const World& world) {
   const Profile& p = world.profile();
   double total = 0;
@@ -27,11 +33,9 @@ void Meter::after_step(const World& world) {
   awake_.push_back(double(p.awake));
   contacts_.push_back(double(p.contacts));
   points_.push_back(double(p.points));
-  collision_passes_.push_back(double(p.collision_passes));
-  contact_passes_.push_back(double(p.contact_passes));
-  const double passes = double(p.collision_passes + p.contact_passes);
-  const double constraints = double(p.point_passes) + double(world.joints().size()) * passes;
-  if (constraints > 0) ns_per_constraint_.push_back(1000 * p.solve_microseconds / constraints);
+  collision_.after_step(p.collision);
+  contact_.after_step(p.contact);
+  joint_.after_step(p.joint);
 
   const Quality q = world.quality();
   worst_.penetration_max = max(worst_.penetration_max, q.penetration_max);

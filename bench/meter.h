@@ -11,6 +11,18 @@ namespace sudar::bench {
 // The middle one of the values, 0 of none.
 double median(std::vector<double> values);
 
+// Passes of one kind (Profile::Passes), medians over the steps.
+class PassMeter {
+ public:
+  void after_step(const Profile::Passes&);
+  double used() const { return median(used_); }
+  double us_per_step() const { return median(us_); }
+  double ns_per_visit() const { return median(ns_per_visit_); }  // of the steps that had visits, else 0
+
+ private:
+  std::vector<double> used_, us_, ns_per_visit_;
+};
+
 class Meter {
  public:
   explicit Meter(const World& before) : start_(before.energy()) {}
@@ -29,18 +41,17 @@ class Meter {
   double awake_median() const { return median(awake_); }
   double contacts_median() const { return median(contacts_); }
   double points_median() const { return median(points_); }
-  double collision_passes_median() const { return median(collision_passes_); }
-  double contact_passes_median() const { return median(contact_passes_); }
-  // Time in the passes alone for one contact point or one joint in one pass: median of the steps that had any, else 0.
-  // (Joints asleep are counted as if they were solved: right where sleeping is off.)
-  double ns_per_constraint_and_pass() const { return median(ns_per_constraint_); }
+  const PassMeter& collision() const { return collision_; }
+  const PassMeter& contact() const { return contact_; }
+  const PassMeter& joint() const { return joint_; }
   const Energy& energy_at_start() const { return start_; }
   const Quality& worst() const { return worst_; }  // the largest of all steps' maxima
   Quality mean() const;                            // the mean of all steps' means
 
  private:
   Energy start_;
-  std::vector<double> step_us_, awake_, contacts_, points_, collision_passes_, contact_passes_, ns_per_constraint_;
+  std::vector<double> step_us_, awake_, contacts_, points_;
+  PassMeter collision_, contact_, joint_;
   std::vector<Stage> stage_sums_;
   Quality worst_, sum_;
 };

@@ -33,7 +33,10 @@ Config Run::config() const {
   c.solver = setting_.solver;
   c.substeps = setting_.substeps;
   c.sleep = false;
-  if (without("impulses")) c.impulse_2007.collision_passes = c.impulse_2007.contact_passes = 0;
+  if (without("impulses")) {
+    c.impulse_2007.collision_passes = c.impulse_2007.contact_passes = 0;
+    c.impulse_2007.exact_joints = false;
+  }
   return c;
 }
 

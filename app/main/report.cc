@@ -89,9 +89,11 @@ Json report(const Session& session, const Meter& meter) {
   j["us_per_step"] = {{"median", number(meter.step_us_median())}, {"min", number(meter.step_us_min())}};
   j["stages"] = Json::object();
   for (const Meter::Stage& s : meter.stages()) j["stages"][s.name] = number(s.microseconds);
-  j["passes"] = {{"collision", number(meter.collision_passes_median())},
-                 {"contact", number(meter.contact_passes_median())},
-                 {"ns_per_constraint", number(meter.ns_per_constraint_and_pass())}};
+  const auto passes = [](const bench::PassMeter& m) {
+    return Json{{"used", number(m.used())}, {"us", number(m.us_per_step())}, {"ns_per_visit", number(m.ns_per_visit())}};
+  };
+  j["passes"] = {
+      {"collision", passes(meter.collision())}, {"contact", passes(meter.contact())}, {"joint", passes(meter.joint())}};
   j["energy"] = {{"start", number(meter.energy_at_start().total())}, {"end", number(world.energy().total())}};
   const Quality mean = meter.mean(), worst = meter.worst();
   j["quality"] = {{"penetration", {{"max", number(worst.penetration_max)}, {"mean", number(mean.penetration_mean)}}},

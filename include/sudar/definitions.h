@@ -333,6 +333,7 @@ struct Impulse2007 {
   Real slop = Real(0.01);                    // δ_max, m · length_unit
   Real joint_correction = Real(0.3);         // b of joints
   bool joint_correction_in_velocity = false; // joints are pulled back in the real velocity, as in the prototype's net
+  bool exact_joints = true;                  // joints of what touches nothing keep energy (RATTLE); else all by passes
   bool one_point_contact = false;            // as in the thesis: a contact is one point, the centre of the overlap
   bool friction_per_increment = false;       // as in the thesis: the friction cone is tested per increment
   bool shock_propagation = false;            // a last sweep from the ground up, lower levels frozen
@@ -343,6 +344,7 @@ void describe(V& v, T& d) {
   v("correction", d.correction, fraction), v("slop", d.slop, not_negative);
   v("joint_correction", d.joint_correction, fraction);
   v("joint_correction_in_velocity", d.joint_correction_in_velocity, any);
+  v("exact_joints", d.exact_joints, any);
   v("one_point_contact", d.one_point_contact, any), v("friction_per_increment", d.friction_per_increment, any);
   v("shock_propagation", d.shock_propagation, any);
 }

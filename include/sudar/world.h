@@ -9,6 +9,7 @@
 #pragma once
 
 #include <sudar/definitions.h>
+#include <sudar/profile.h>
 
 #include <array>
 #include <optional>
@@ -71,22 +72,6 @@ struct Energy {
 };
 struct Momentum {
   Vec3d linear, angular;
-};
-
-// What the last step cost.
-struct Profile {
-  struct Stage {
-    const char* name;
-    double microseconds;
-  };
-  std::vector<Stage> stages;
-  std::int64_t contacts = 0, points = 0;           // touching pairs and their points in the last sub-step
-  std::int64_t collision_passes = 0;               // used, summed over the step's sub-steps
-  std::int64_t contact_passes = 0;
-  std::int64_t point_passes = 0;                   // points × passes, collision and contact together
-  std::int64_t joint_passes = 0;                   // joints × passes
-  double solve_microseconds = 0;                   // of the passes alone
-  std::int64_t awake = 0;                          // dynamic bodies awake
 };
 
 // How well the last step's constraints hold.
@@ -193,7 +178,7 @@ class World {
   Energy energy() const;
   Momentum momentum() const;
   const Events& events() const;
-  const Profile& profile() const;
+  const Profile& profile() const;  // of the last step
   Quality quality() const;
 
   // --- state: a world restored from save() goes on with the same bits ---

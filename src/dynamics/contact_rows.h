@@ -54,13 +54,6 @@ struct ManifoldRow {
   std::span<const PointRow> rows() const { return std::span(points).first(count); }
 };
 
-// A body's velocities while a manifold is worked on, in registers.
-struct Moving {
-  Real4 v, w;
-  explicit Moving(const SolverBody& b) : v(lanes(b.v)), w(lanes(b.w)) {}
-  void store(SolverBody& b) const { b.v = vector(v), b.w = vector(w); }
-};
-
 // u in the contact's frame, thesis (3.9).
 inline Real4 relative_velocity(const Moving& a, const Moving& b, const ManifoldRow& m, const PointRow& p) {
   return m.to_frame * (a.v - b.v) + (p.arm_a * a.w - p.arm_b * b.w);

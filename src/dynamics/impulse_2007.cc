@@ -4,18 +4,19 @@
 
 #include "base/timer.h"
 #include "dynamics/contact_rows.h"
+#include "dynamics/free_joints.h"
 #include "dynamics/integrate.h"
-#include "dynamics/joint_solve.h"
 #include "dynamics/levels.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
 struct Impulse2007Solver::Memory {
-  std::vector<SolverBody> bodies;  // 0 stands for the world; slot i is number i + 1
-  std::vector<Vec3> spin_before;   // ω of the awake bodies before impulses
+  SolverBodies bodies;
   std::vector<Wrench> loads;
   std::vector<ManifoldRow> manifolds;
   std::vector<JointSolve> joints;
+  FreeJoints free_joints;
+  std::vector<std::uint8_t> touched;  // bodies in contacts
 };
 
 namespace {
@@ -26,48 +27,70 @@ class SubStep {
           Impulse2007Solver::Memory& memory)
       : in_(input), set_(input.config.impulse_2007), bodies_(bodies), joints_(joints), contacts_(contacts),
         report_(report), h_(input.h), g_(length(gravity(input.forces))), memory_(memory),
-        manifolds_(memory.manifolds), joints_in_step_(memory.joints) {}
+        manifolds_(memory.manifolds), joints_in_step_(memory.joints), free_(memory.free_joints) {}
 
   // The main loop, thesis §3.3, from the second step on (the first, detection, is done).
   void run() {
     gather();
     manifolds_.resize(in_.contacts.size());
     for (std::uint32_t k = 0; k < manifolds_.size(); ++k) prepare(k, manifolds_[k]);
-    joints_in_step_.clear();
-    const JointPull pull{set_.joint_correction / h_, set_.joint_correction_in_velocity};
-    for (const std::uint32_t j : in_.joints) {
-      joints_in_step_.emplace_back(joints_, bodies_, j, body(joints_.a[j]), body(joints_.b[j]), h_, pull);
-    }
-    Timer timer;
+    prepare_joints();
     collide();
-    report_.passes_microseconds += timer.microseconds();
     aim();
     accelerate_all();
     warm_start();
-    timer = {};
     hold();
     if (set_.shock_propagation) propagate();
-    report_.passes_microseconds += timer.microseconds();
     store();
     move();
   }
 
  private:
-  SolverBody& body(std::uint32_t slot) { return memory_.bodies[slot + 1]; }  // no_body + 1 is 0: the world
+  SolverBody& body(std::uint32_t slot) { return memory_.bodies[slot]; }
+
+  // The time of a scope counts as that of passes.
+  class Stopwatch {
+   public:
+    explicit Stopwatch(Profile::Passes& passes) : passes_(passes) {}
+    ~Stopwatch() { passes_.microseconds += timer_.microseconds(); }
+
+   private:
+    Profile::Passes& passes_;
+    Timer timer_;
+  };
+
+  template <class Visit>
+  void visit_joints(Visit visit) {
+    if (joints_in_step_.empty()) return;
+    const Stopwatch watch(report_.joint);
+    ++report_.joint.used;
+    for (JointSolve& j : joints_in_step_) {
+      if (j.free) continue;
+      visit(j);
+      ++report_.joint.visits;
+    }
+  }
 
   void gather() {
-    static_assert(no_body + 1 == 0);
-    memory_.bodies.assign(bodies_.size() + 1, {});
-    for (const std::uint32_t i : in_.awake) {
-      SolverBody& s = body(i);
-      s.v = bodies_.velocity[i];
-      s.w = spin_of(bodies_, i);
-      s.inverse_mass = bodies_.inverse_mass[i];
-      s.inverse_inertia = bodies_.inverse_inertia_world(i);
+    memory_.bodies.reset(bodies_.size());
+    for (const std::uint32_t i : in_.awake) body(i) = solver_body(bodies_, i);
+    for (const std::uint32_t i : in_.kinematic) body(i) = solver_body(bodies_, i);
+  }
+
+  void prepare_joints() {
+    joints_in_step_.clear();
+    for (const std::uint32_t j : in_.joints) joints_in_step_.emplace_back(joints_, bodies_, j, memory_.bodies, h_);
+    free_.reset(bodies_.size());
+    if (set_.exact_joints && !set_.joint_correction_in_velocity && !in_.joints.empty()) {
+      memory_.touched.assign(bodies_.size(), 0);
+      for (const ActiveContact& c : in_.contacts) memory_.touched[c.a] = memory_.touched[c.b] = 1;
+      const Stopwatch watch(report_.joint);
+      free_.advance(joints_in_step_, joints_, bodies_, in_.forces, memory_.touched, in_.config.length_unit, h_);
     }
-    for (const std::uint32_t i : in_.kinematic) body(i).v = bodies_.velocity[i], body(i).w = bodies_.spin[i];
-    memory_.spin_before.clear();
-    for (const std::uint32_t i : in_.awake) memory_.spin_before.push_back(body(i).w);
+    const JointPull pull{set_.joint_correction / h_, set_.joint_correction_in_velocity};
+    for (JointSolve& j : joints_in_step_) {
+      if (!j.free) j.prepare_visits(pull);
+    }
   }
 
   // --- preparation ---
@@ -95,7 +118,7 @@ class SubStep {
     const Vec3 apart = bodies_.position[c.a] - bodies_.position[c.b];
     // As far as a body spins about the normal, its arms are those of the middle of the sub-step. With those of the start,
     // what a turntable carries moves on along the tangent and creeps outward, by ω²rh/2 a second.
-    const Vec3 half_turn_a = n * (dot(n, a.w) * h_ * Real(0.5)), half_turn_b = n * (dot(n, b.w) * h_ * Real(0.5));
+    const Vec3 half_turn_a = n * (dot(n, vector(a.real.w)) * h_ * Real(0.5)), half_turn_b = n * (dot(n, vector(b.real.w)) * h_ * Real(0.5));
     for (std::size_t k = 0; k < m.count; ++k) {
       const ManifoldPoint& from = manifold.points[k];
       PointRow& p = m.points[k] = PointRow{};
@@ -106,7 +129,7 @@ class SubStep {
       prepare_masses(p, to_frame, a, b);
       const Real depth = -from.separation;
       p.free_speed = min(Real(0), depth / h_);
-      p.start = relative_velocity(Moving(a), Moving(b), m, p)[0];
+      p.start = relative_velocity(a.real, b.real, m, p)[0];
       fastest_ = max(fastest_, -p.start);
       p.push_target = set_.correction / h_ * max(Real(0), depth - slop());  // thesis (3.20): a speed
       if (set_.one_point_contact || from.match >= 0) {
@@ -144,12 +167,13 @@ class SubStep {
     least_ = Real(0.01) * g_ * h_ + Real(1e-6) * fastest_;
     for (int pass = 0; pass < set_.collision_passes; ++pass) {
       stop_joints();
+      const Stopwatch watch(report_.collision);
       bool approaching = false;
       for (ManifoldRow& m : manifolds_) {
         if (m.owes) strike(m), approaching = true;
       }
       for (ManifoldRow& m : manifolds_) {
-        const Moving a(body(m.a)), b(body(m.b));
+        const Moving &a = body(m.a).real, &b = body(m.b).real;
         bool approaches = false;
         for (const PointRow& p : m.rows()) approaches |= relative_velocity(a, b, m, p)[0] < p.free_speed - least_;
         if (!approaches) continue;
@@ -158,7 +182,7 @@ class SubStep {
         else strike(m);
       }
       if (!approaching) break;
-      ++report_.collision_passes;
+      ++report_.collision.used;
     }
   }
 
@@ -169,7 +193,7 @@ class SubStep {
     const auto each_struck = [&](auto visit) {
       for (ManifoldRow& m : manifolds_) {
         if (!m.struck) continue;
-        const Moving a(body(m.a)), b(body(m.b));
+        const Moving &a = body(m.a).real, &b = body(m.b).real;
         for (PointRow& p : m.rows()) visit(m, p, relative_velocity(a, b, m, p)[0]);
       }
     };
@@ -177,8 +201,7 @@ class SubStep {
       p.unheld = speed;
       if (abs(speed - p.aim) > Real(1e-3) * fastest_) p.aim = speed;
     });
-    for (JointSolve& j : joints_in_step_) j.stop(body(j.a), body(j.b));
-    report_.joint_passes += std::int64_t(joints_in_step_.size());
+    visit_joints([&](JointSolve& j) { j.stop(memory_.bodies); });
     each_struck([&](ManifoldRow& m, PointRow& p, Real speed) {
       m.owes |= p.unheld - speed > least_ || (p.blow.x > 0 && speed - p.unheld > least_);
     });
@@ -186,7 +209,7 @@ class SubStep {
 
   // One impact of a manifold: all its points at once, with accumulated impulses that live in this impact only.
   void strike(ManifoldRow& m) {
-    const Moving a0(body(m.a)), b0(body(m.b));
+    const Moving a0 = body(m.a).real, b0 = body(m.b).real;
     Moving a = a0, b = b0;
     std::array<Vec3, 4> blow{};
     if (m.owes) {
@@ -205,7 +228,7 @@ class SubStep {
       outcome = again(m.material.restitution, friction);
     }
     if (outcome.made_energy) outcome = again(0, friction);  // friction made energy: take the bounce away instead
-    a.store(body(m.a)), b.store(body(m.b));
+    body(m.a).real = a, body(m.b).real = b;
     m.struck = true, m.owes = false;
   }
 
@@ -229,7 +252,7 @@ class SubStep {
         apply(a, b, m, p, step);
         change = max(change, size(p, step, 1));
       }
-      report_.point_passes += m.count;
+      report_.collision.visits += m.count;
       if (change <= Real(0.1) * least_) break;
     }
     Impact outcome;
@@ -270,11 +293,11 @@ class SubStep {
   // what goes wrong: a train moves that static friction should hold.
   void strike_as_written(ManifoldRow& m) {
     for (PointRow& p : m.rows()) p.hit |= increment_as_written(m, p, m.material.restitution) > 0;
-    report_.point_passes += m.count;
+    report_.collision.visits += m.count;
   }
 
   Real increment_as_written(const ManifoldRow& m, const PointRow& p, Real restitution) {
-    Moving a(body(m.a)), b(body(m.b));
+    Moving a = body(m.a).real, b = body(m.b).real;
     const Vec3 u = vector(relative_velocity(a, b, m, p));
     if (u.x >= p.free_speed) return 0;
     const Mat3 k = matrix(m.to_frame) * (matrix(m.mass_a) + matrix(m.mass_b)) + matrix(p.arm_a) * matrix(p.turn_a) +
@@ -289,7 +312,7 @@ class SubStep {
       impulse = direction * (-(1 + restitution) * u.x / denominator);                         // thesis (3.17), (3.18)
     }
     apply(a, b, m, p, impulse);
-    a.store(body(m.a)), b.store(body(m.b));
+    body(m.a).real = a, body(m.b).real = b;
     return impulse.x;
   }
 
@@ -302,7 +325,7 @@ class SubStep {
     const auto rows = m.rows();
     const bool held = std::any_of(rows.begin(), rows.end(), [](const PointRow& p) { return p.impulse.x > 0; });
     if (held && contacts_.slipping[in_.contacts[m.contact].slot] == 0) return m.material.friction_static;
-    const Moving a(body(m.a)), b(body(m.b));
+    const Moving &a = body(m.a).real, &b = body(m.b).real;
     Real fastest = 0;
     for (const PointRow& p : rows) fastest = max(fastest, slide(vector(relative_velocity(a, b, m, p))));
     return fastest <= stick_speed() ? m.material.friction_static : m.material.friction_dynamic;
@@ -312,7 +335,7 @@ class SubStep {
   void aim() {
     for (ManifoldRow& m : manifolds_) {
       m.friction = choose_friction(m);
-      const Moving a(body(m.a)), b(body(m.b));
+      const Moving &a = body(m.a).real, &b = body(m.b).real;
       Real hardest = 0;
       const PointRow* where = nullptr;
       for (PointRow& p : m.rows()) {
@@ -329,9 +352,10 @@ class SubStep {
     std::vector<Wrench>& load = memory_.loads;
     evaluate(in_.forces, bodies_, in_.awake, bodies_.position, bodies_.orientation, load);
     for (const std::uint32_t i : in_.awake) {
+      if (free_.moves(i)) continue;
       SolverBody& s = body(i);
       accelerate(bodies_, i, load[i], drag_on(in_.forces, bodies_, i), h_, s);
-      if (!is_finite(s.v) || !is_finite(s.w)) give_up(i);  // before it can infect what it touches
+      if (!is_finite(vector(s.real.v)) || !is_finite(vector(s.real.w))) give_up(i);  // before it can infect what it touches
     }
   }
 
@@ -350,18 +374,18 @@ class SubStep {
     for (int pass = 1; pass <= set_.contact_passes; ++pass) {
       const Real relaxation = Real(pass) / Real(set_.contact_passes);
       Real change = 0;
-      for (JointSolve& j : joints_in_step_) change = max(change, j.hold(body(j.a), body(j.b)));
+      visit_joints([&](JointSolve& j) {
+        change = max(change, j.hold(memory_.bodies));
+        if (pushing) change = max(change, j.push(memory_.bodies));
+      });
+      const Stopwatch watch(report_.contact);
       const auto visit = [&](ManifoldRow& m) {
         change = max(change, set_.friction_per_increment ? hold_as_written(m, relaxation) : hold(m, relaxation));
         if (pushing) change = max(change, push(m));
       };
-      if (pushing) {
-        for (JointSolve& j : joints_in_step_) change = max(change, j.push(body(j.a), body(j.b)));
-      }
       if (pass % 2 == 1) for (std::size_t k = 0; k < manifolds_.size(); ++k) visit(manifolds_[k]);
       else for (std::size_t k = manifolds_.size(); k-- > 0;) visit(manifolds_[k]);
-      ++report_.contact_passes;
-      report_.joint_passes += std::int64_t(joints_in_step_.size());
+      ++report_.contact.used;
       if (change <= enough) break;
     }
   }
@@ -403,20 +427,26 @@ class SubStep {
 
   void warm_start() {
     for (ManifoldRow& m : manifolds_) {
-      Moving a(body(m.a)), b(body(m.b));
+      Moving a = body(m.a).real, b = body(m.b).real;
       for (PointRow& p : m.rows()) {
         if (p.target > 0 || set_.friction_per_increment) p.impulse = {};
         apply(a, b, m, p, p.impulse);
       }
       if (m.resists_turning()) apply_turning(a, b, m.turn, m.turn.impulse);
-      a.store(body(m.a)), b.store(body(m.b));
+      body(m.a).real = a, body(m.b).real = b;
       report_.points += m.count;
     }
-    for (JointSolve& j : joints_in_step_) j.warm_start(body(j.a), body(j.b));
+    for (JointSolve& j : joints_in_step_) {
+      if (!j.free) j.warm_start(memory_.bodies);
+    }
   }
 
   bool needs_push() const {
-    if (!joints_in_step_.empty() && !set_.joint_correction_in_velocity) return true;
+    if (!set_.joint_correction_in_velocity) {
+      for (const JointSolve& j : joints_in_step_) {
+        if (!j.free) return true;
+      }
+    }
     for (const ManifoldRow& m : manifolds_) {
       for (const PointRow& p : m.rows()) {
         if (p.push_target > 0) return true;
@@ -427,7 +457,7 @@ class SubStep {
 
   // Returns the largest change of a relative velocity, unrelaxed, m/s.
   Real hold(ManifoldRow& m, Real relaxation) {
-    Moving a(body(m.a)), b(body(m.b));
+    Moving a = body(m.a).real, b = body(m.b).real;
     Real change = 0, load = 0;
     for (PointRow& p : m.rows()) {
       const Vec3 step = answer(p, relative_velocity(a, b, m, p), p.target, relaxation, m.friction, p.impulse);
@@ -436,8 +466,8 @@ class SubStep {
       load += p.impulse.x;
     }
     if (m.resists_turning()) change = max(change, radius(m) * resist_turning(m, a, b, load));
-    a.store(body(m.a)), b.store(body(m.b));
-    report_.point_passes += m.count;
+    body(m.a).real = a, body(m.b).real = b;
+    report_.contact.visits += m.count;
     return change;
   }
 
@@ -453,26 +483,21 @@ class SubStep {
       p.impulse.x += impulse;
       change = max(change, impulse / p.normal_mass);
     }
-    report_.point_passes += m.count;
+    report_.contact.visits += m.count;
     return change;
   }
 
   // Split impulse, thesis §3.7: the overlap is removed in a pseudo velocity that moves bodies and is forgotten.
   Real push(ManifoldRow& m) {
-    SolverBody &a = body(m.a), &b = body(m.b);
-    const Vec3 n = m.frame.c0;
+    Moving &a = body(m.a).push, &b = body(m.b).push;
     Real change = 0;
     for (PointRow& p : m.rows()) {
       if (p.push_target <= 0) continue;
-      const Real w = dot(n, a.push_v - b.push_v) + dot(cross(p.ra, n), a.push_w) - dot(cross(p.rb, n), b.push_w);
-      const Real total = max(Real(0), p.push + (p.push_target - w) * p.normal_mass);
-      const Real step = total - p.push;
-      a.push_v += vector(m.mass_a.c0) * step;
-      a.push_w += vector(p.turn_a.c0) * step;
-      b.push_v -= vector(m.mass_b.c0) * step;
-      b.push_w -= vector(p.turn_b.c0) * step;
+      const Real left = p.push_target - relative_velocity(a, b, m, p)[0];
+      const Real step = max(-p.push, left * p.normal_mass);
+      apply(a, b, m, p, {step, 0, 0});
       change = max(change, abs(step) / p.normal_mass);
-      p.push = total;
+      p.push += step;
     }
     return change;
   }
@@ -503,15 +528,12 @@ class SubStep {
     std::vector<std::uint32_t> smooth(in_.smooth.begin(), in_.smooth.end());
     std::erase_if(smooth, [&](std::uint32_t i) { return bodies_.quarantined[i] != 0; });
     for (const std::uint32_t i : runge_kutta_4(bodies_, in_.forces, smooth, h_)) give_up(i);
-    for (std::size_t k = 0; k < in_.awake.size(); ++k) {
-      const std::uint32_t i = in_.awake[k];
-      if (integrated[i] != 0 || bodies_.quarantined[i] != 0) continue;
-      if (!drift(bodies_, i, body(i), memory_.spin_before[k], h_)) give_up(i);
+    for (const std::uint32_t i : in_.awake) {
+      if (integrated[i] != 0 || bodies_.quarantined[i] != 0 || free_.moves(i)) continue;
+      if (!drift(bodies_, i, body(i), h_)) give_up(i);
     }
-    for (const std::uint32_t i : in_.kinematic) {
-      bodies_.position[i] = bodies_.position[i] + bodies_.velocity[i] * h_;
-      bodies_.orientation[i] = normalize(rotation(bodies_.spin[i] * h_) * bodies_.orientation[i]);
-    }
+    free_.commit(bodies_);
+    for (const std::uint32_t i : in_.kinematic) carry(bodies_, i, h_);
   }
 
   const SolveInput& in_;
@@ -526,6 +548,7 @@ class SubStep {
   Impulse2007Solver::Memory& memory_;
   std::vector<ManifoldRow>& manifolds_;
   std::vector<JointSolve>& joints_in_step_;
+  FreeJoints& free_;
 };
 
 }

@@ -5,6 +5,8 @@
 // Collisions come before the forces, so a resting body never sees a bounce made by gravity: no restitution threshold.
 #pragma once
 
+#include <sudar/profile.h>
+
 #include "collision/narrow/manifold.h"
 #include "dynamics/contacts.h"
 #include "dynamics/forces.h"
@@ -39,8 +41,8 @@ struct SolveReport {
   };
   std::vector<Hit> hits;
   std::vector<std::uint32_t> broken;       // bodies that turned non-finite and were put back
-  std::int64_t collision_passes = 0, contact_passes = 0, points = 0, point_passes = 0, joint_passes = 0;
-  double passes_microseconds = 0;
+  std::int64_t points = 0;                 // solved in this sub-step
+  Profile::Passes collision, contact, joint;
 };
 
 // Keeps only memory between sub-steps, no state.

@@ -32,21 +32,38 @@ bool take(Bodies& b, std::uint32_t i, const State& m) {
 
 Vec3 spin_of(const Bodies& b, std::uint32_t i) { return spin_at(b, i, b.orientation[i], b.angular_momentum[i]); }
 
-void accelerate(const Bodies& b, std::uint32_t i, const Wrench& load, const DragRates& drag, Real h, SolverBody& body) {
-  body.v += load.force * (b.inverse_mass[i] * h);
-  if (load.torque != Vec3{}) body.w += body.inverse_inertia * load.torque * h;
-  const Real rate = drag.linear + drag.quadratic * length(body.v);
-  const Real angular_rate = drag.angular + drag.angular_quadratic * length(body.w);
-  // v/(1 + h rate) as a difference: a rounded factor near 1 would act with the same error in every step (verify V02).
-  if (rate > 0) body.v -= body.v * (h * rate / (1 + h * rate));
-  if (angular_rate > 0) body.w -= body.w * (h * angular_rate / (1 + h * angular_rate));
+SolverBody solver_body(const Bodies& b, std::uint32_t i) {
+  SolverBody s;
+  s.spin_before = b.dynamic(i) ? spin_of(b, i) : b.spin[i];
+  s.real = {lanes(b.velocity[i]), lanes(s.spin_before)};
+  if (b.dynamic(i)) s.inverse_mass = b.inverse_mass[i], s.inverse_inertia = b.inverse_inertia_world(i);
+  return s;
 }
 
-bool drift(Bodies& b, std::uint32_t i, const SolverBody& body, const Vec3& spin_before, Real h) {
-  const Vec3 angular_momentum = b.angular_momentum[i] + b.inertia_world(i) * (body.w - spin_before);
+void accelerate(const Bodies& b, std::uint32_t i, const Wrench& load, const DragRates& drag, Real h, SolverBody& body) {
+  Vec3 v = vector(body.real.v), w = vector(body.real.w);
+  v += load.force * (b.inverse_mass[i] * h);
+  if (load.torque != Vec3{}) w += body.inverse_inertia * load.torque * h;
+  const Real rate = drag.linear + drag.quadratic * length(v);
+  const Real angular_rate = drag.angular + drag.angular_quadratic * length(w);
+  // v/(1 + h rate) as a difference: a rounded factor near 1 would act with the same error in every step (verify V02).
+  if (rate > 0) v -= v * (h * rate / (1 + h * rate));
+  if (angular_rate > 0) w -= w * (h * angular_rate / (1 + h * angular_rate));
+  body.real = {lanes(v), lanes(w)};
+}
+
+bool drift(Bodies& b, std::uint32_t i, const SolverBody& body, Real h) {
+  const Vec3 v = vector(body.real.v), push_v = vector(body.push.v), push_w = vector(body.push.w);
+  const Vec3 angular_momentum =
+      b.angular_momentum[i] + b.inertia_world(i) * (vector(body.real.w) - body.spin_before);
   Quat q = rotate_freely(b.orientation[i], angular_momentum, b.inertia[i], b.inverse_inertia[i], h).orientation;
-  if (body.push_w != Vec3{}) q = normalize(rotation(body.push_w * h) * q);
-  return take(b, i, {b.position[i] + (body.v + body.push_v) * h, q, body.v, angular_momentum});
+  if (push_w != Vec3{}) q = normalize(rotation(push_w * h) * q);
+  return take(b, i, {b.position[i] + (v + push_v) * h, q, v, angular_momentum});
+}
+
+void carry(Bodies& b, std::uint32_t i, Real h) {
+  b.position[i] = b.position[i] + b.velocity[i] * h;
+  b.orientation[i] = normalize(rotation(b.spin[i] * h) * b.orientation[i]);
 }
 
 std::vector<std::uint32_t> runge_kutta_4(Bodies& b, const Forces& forces, std::span<const std::uint32_t> which, Real h) {

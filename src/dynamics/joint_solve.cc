@@ -15,32 +15,49 @@ Real servo_speed(const Drive& drive, Real coordinate, Real mass, Real h) {
 
 }
 
-JointSolve::JointSolve(Joints& joints, const Bodies& bodies, std::uint32_t joint, const SolverBody& on_a,
-                       const SolverBody& on_b, Real h, const JointPull& pull)
-    : a(joints.a[joint]), b(joints.b[joint]), joint_(joint), pull_(pull), impulse_(joints.impulse[joint].rows) {
+JointSolve::JointSolve(Joints& joints, const Bodies& bodies, std::uint32_t joint, const SolverBodies& on, Real h)
+    : a(joints.a[joint]), b(joints.b[joint]), joint_(joint), impulse_(joints.impulse[joint].rows) {
   const JointRows demands = rows_of(joints, bodies, joint);
-  count_ = demands.count;
-  std::array<std::array<Real, 6>, 6> k{};
-  for (std::size_t r = 0; r < std::size_t(count_); ++r) {
-    static_cast<Row&>(rows_[r]) = demands.rows[r];
-    rows_[r].prepare(on_a, on_b);
-    bias_[r] = pull.rate * rows_[r].error;
-    for (std::size_t s = 0; s <= r; ++s) k[r][s] = response(rows_[r], rows_[s], on_a, on_b);
-  }
-  block_.factor(k, count_);
-  if (demands.free) prepare_coordinate(joints, demands, on_a, on_b, h);
+  set_rows(demands, on);
+  if (demands.free) prepare_coordinate(joints, demands, on, h);
 }
 
-void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, const SolverBody& on_a,
-                                    const SolverBody& on_b, Real h) {
+void JointSolve::set_rows(const JointRows& demands, const SolverBodies& on) {
+  count_ = demands.count;
+  for (std::size_t r = 0; r < std::size_t(count_); ++r) rows_[r] = {demands.rows[r], on[a], on[b]};
+}
+
+void JointSolve::renew_rows(const Joints& joints, const Bodies& bodies, const SolverBodies& on) {
+  set_rows(rows_of(joints, bodies, joint_), on);
+}
+
+Real JointSolve::error() const {
+  Real largest = 0;
+  for (const PreparedRow& row : rows()) largest = max(largest, abs(row.error));
+  return largest;
+}
+
+void JointSolve::restart(const Joints& joints, const Bodies& bodies, const SolverBodies& on) {
+  renew_rows(joints, bodies, on);
+  impulse_ = joints.impulse[joint_].rows;
+}
+
+Vec3 JointSolve::linear_impulse() const {
+  Real4 sum{};
+  for (std::size_t r = 0; r < std::size_t(count_); ++r) sum += rows_[r].a.linear * broadcast(impulse_[r]);
+  return vector(sum);
+}
+
+bool JointSolve::bounded() const { return drive_.present || near_limit_; }
+
+void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, const SolverBodies& on, Real h) {
   const JointImpulse& stored = joints.impulse[joint_];
   Real& coordinate = joints.coordinate[joint_];
   coordinate = demands.angle ? unwind(coordinate, demands.value) : demands.value;
   const auto bound = [&](BoundedRow& row, Real impulse, Real low, Real high) {
-    static_cast<Row&>(row.row) = demands.rate;
-    row.row.prepare(on_a, on_b);
+    row.row = {demands.rate, on[a], on[b]};
     row.present = true;
-    row.mass = 1 / response(row.row, row.row, on_a, on_b);
+    row.mass = 1 / response(row.row, row.row);
     row.impulse = clamp(impulse, low, high), row.low = low, row.high = high;
   };
   constexpr Real infinity = std::numeric_limits<Real>::infinity();
@@ -49,12 +66,17 @@ void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, co
   if (limit.low > -infinity) {
     bound(low_, stored.low, 0, infinity);
     low_.target = min(Real(0), below / h);
-    low_.push_target = pull_.rate * max(Real(0), below);
+    low_.excess = max(Real(0), below);
   }
   if (limit.high < infinity) {
     bound(high_, stored.high, -infinity, 0);
     high_.target = max(Real(0), -above / h);
-    high_.push_target = -pull_.rate * max(Real(0), above);
+    high_.excess = -max(Real(0), above);
+  }
+  if (low_.present || high_.present) {
+    const BoundedRow& either = low_.present ? low_ : high_;
+    const Real reach = Real(0.01) + 4 * h * abs(either.row.speed(on[a].real, on[b].real));
+    near_limit_ = max(below, above) > -reach;
   }
   const Drive* drive = drive_of(joints.definition[joint_]);
   if (drive == nullptr || drive->mode == DriveMode::off || !(drive->force > 0)) return;
@@ -62,34 +84,53 @@ void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, co
   drive_.target = drive->mode == DriveMode::speed ? drive->target : servo_speed(*drive, coordinate, drive_.mass, h);
 }
 
-template <class Speed, class Apply>
-Real JointSolve::solve_block(bool pull, Speed speed, Apply apply) {
+void JointSolve::prepare_visits(const JointPull& pull) {
+  pull_ = pull;
+  for (std::size_t r = 0; r < std::size_t(count_); ++r) {
+    for (std::size_t s = 0; s <= r; ++s) block_[r * 6 + s] = response(rows_[r], rows_[s]);
+  }
+  factor_small(block_.data(), 6, count_, sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12));
+}
+
+template <class Apply>
+Real JointSolve::solve_block(Real pull, const Moving& on_a, const Moving& on_b, Apply apply) {
   std::array<Real, 6> x{};
   Real largest = 0;
   const auto solve = [&]<int n>(std::integral_constant<int, n>) {
     for (std::size_t r = 0; r < std::size_t(n); ++r) {
-      x[r] = -speed(rows_[r]) - (pull ? bias_[r] : Real(0));
+      x[r] = -rows_[r].speed(on_a, on_b) - pull * rows_[r].error;
       largest = max(largest, abs(x[r]));
     }
-    block_.solve<n>(x);
+    solve_lower(block_.data(), 6, n, x.data());
+    solve_diagonal(block_.data(), 6, n, x.data());
+    solve_upper(block_.data(), 6, n, x.data());
     for (std::size_t r = 0; r < std::size_t(n); ++r) apply(r, x[r]);
   };
   switch (count_) {
-    case 1: solve(std::integral_constant<int, 1>{}); break;
-    case 3: solve(std::integral_constant<int, 3>{}); break;
-    case 5: solve(std::integral_constant<int, 5>{}); break;
-    case 6: solve(std::integral_constant<int, 6>{}); break;
-    default: break;
+    case 1:
+      solve(std::integral_constant<int, 1>{});
+      break;
+    case 3:
+      solve(std::integral_constant<int, 3>{});
+      break;
+    case 5:
+      solve(std::integral_constant<int, 5>{});
+      break;
+    case 6:
+      solve(std::integral_constant<int, 6>{});
+      break;
+    default:
+      break;
   }
   return largest;
 }
 
-void JointSolve::stop(SolverBody& on_a, SolverBody& on_b) {
-  solve_block(false, [&](const PreparedRow& row) { return row.speed(on_a, on_b); },
-              [&](std::size_t r, Real impulse) {
-                rows_[r].apply(on_a, on_b, impulse);
-                struck_[r] += impulse;
-              });
+void JointSolve::stop(SolverBodies& on) {
+  Moving on_a = on[a].real, on_b = on[b].real;
+  solve_block(0, on_a, on_b, [&](std::size_t r, Real impulse) {
+    rows_[r].apply(on_a, on_b, impulse);
+    struck_[r] += impulse;
+  });
   for (BoundedRow* row : {&low_, &high_}) {
     if (!row->present) continue;
     const Real impulse = (row->target - row->row.speed(on_a, on_b)) * row->mass;
@@ -97,16 +138,19 @@ void JointSolve::stop(SolverBody& on_a, SolverBody& on_b) {
     row->row.apply(on_a, on_b, impulse);
     struck_limit_ += impulse;
   }
+  on[a].real = on_a, on[b].real = on_b;
 }
 
-void JointSolve::warm_start(SolverBody& on_a, SolverBody& on_b) const {
+void JointSolve::warm_start(SolverBodies& on) const {
+  Moving &on_a = on[a].real, &on_b = on[b].real;
   for (std::size_t r = 0; r < std::size_t(count_); ++r) rows_[r].apply(on_a, on_b, impulse_[r]);
   for (const BoundedRow* row : {&low_, &high_, &drive_}) {
     if (row->present) row->row.apply(on_a, on_b, row->impulse);
   }
 }
 
-Real JointSolve::hold(SolverBody& on_a, SolverBody& on_b) {
+Real JointSolve::hold(SolverBodies& on) {
+  Moving on_a = on[a].real, on_b = on[b].real;
   Real change = 0;
   for (BoundedRow* row : {&drive_, &low_, &high_}) {
     if (!row->present) continue;
@@ -116,28 +160,39 @@ Real JointSolve::hold(SolverBody& on_a, SolverBody& on_b) {
     change = max(change, abs(total - row->impulse) / row->mass);
     row->impulse = total;
   }
-  const Real block = solve_block(pull_.in_velocity, [&](const PreparedRow& row) { return row.speed(on_a, on_b); },
-                                 [&](std::size_t r, Real impulse) {
-                                   rows_[r].apply(on_a, on_b, impulse);
-                                   impulse_[r] += impulse;
-                                 });
+  const Real block =
+      solve_block(pull_.in_velocity ? pull_.rate : Real(0), on_a, on_b, [&](std::size_t r, Real impulse) {
+        rows_[r].apply(on_a, on_b, impulse);
+        impulse_[r] += impulse;
+      });
+  on[a].real = on_a, on[b].real = on_b;
   return max(change, block);
 }
 
-Real JointSolve::push(SolverBody& on_a, SolverBody& on_b) {
+Real JointSolve::push(SolverBodies& on) {
+  Moving on_a = on[a].push, on_b = on[b].push;
   Real change = 0;
   for (BoundedRow* row : {&low_, &high_}) {
-    if (!row->present || row->push_target == 0) continue;
-    const Real left = row->push_target - row->row.push_speed(on_a, on_b);
+    if (!row->present || row->excess == 0) continue;
+    const Real left = pull_.rate * row->excess - row->row.speed(on_a, on_b);
     const Real total = clamp(row->push + left * row->mass, row->low, row->high);
-    row->row.apply_push(on_a, on_b, total - row->push);
+    row->row.apply(on_a, on_b, total - row->push);
     change = max(change, abs(total - row->push) / row->mass);
     row->push = total;
   }
-  if (pull_.in_velocity) return change;
-  const Real block = solve_block(true, [&](const PreparedRow& row) { return row.push_speed(on_a, on_b); },
-                                 [&](std::size_t r, Real impulse) { rows_[r].apply_push(on_a, on_b, impulse); });
-  return max(change, block);
+  if (!pull_.in_velocity) {
+    change = max(change, solve_block(pull_.rate, on_a, on_b,
+                                     [&](std::size_t r, Real impulse) { rows_[r].apply(on_a, on_b, impulse); }));
+  }
+  on[a].push = on_a, on[b].push = on_b;
+  return change;
+}
+
+void JointSolve::apply(SolverBodies& on, const std::array<Real, 6>& impulse) {
+  for (std::size_t r = 0; r < std::size_t(count_); ++r) {
+    rows_[r].apply(on[a].real, on[b].real, impulse[r]);
+    impulse_[r] += impulse[r];
+  }
 }
 
 void JointSolve::store(Joints& joints) const {

@@ -1,8 +1,9 @@
-// One joint in one sub-step of an impulse solver: its rows as a block, p = K⁻¹(−u), thesis (3.14), (3.23), and the bounded rows of
-// its limit and drive. Impulses act on a; b gets the opposite.
+// One joint in one sub-step of an impulse solver: its rows as a block, p = K⁻¹(−u), thesis (3.14), (3.23), and the
+// bounded rows of its limit and drive. Impulses act on a; b gets the opposite.
 #pragma once
 
 #include "dynamics/joints.h"
+#include "dynamics/small_system.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -14,17 +15,32 @@ struct JointPull {
 
 class JointSolve {
  public:
-  JointSolve(Joints& joints, const Bodies& bodies, std::uint32_t joint, const SolverBody& on_a, const SolverBody& on_b,
-             Real h, const JointPull& pull);
+  JointSolve(Joints& joints, const Bodies& bodies, std::uint32_t joint, const SolverBodies& on, Real h);
 
   std::uint32_t a, b;  // body slots, or no_body
+  bool free = false;   // moved by FreeJoints instead: none of the visits below
 
+  std::uint32_t joint() const { return joint_; }  // its slot
+  std::span<const PreparedRow> rows() const { return std::span(rows_).first(std::size_t(count_)); }
+  Vec3 linear_impulse() const;  // accumulated, on a, N s
+  Real error() const;           // the largest, m or rad
+  bool bounded() const;         // a drive acts, or a limit may in this sub-step
+
+  // Before any visit.
+  void prepare_visits(const JointPull& pull);
   // An impact: the relative velocity vanishes at once; what that took counts as load only.
-  void stop(SolverBody& on_a, SolverBody& on_b);
-  void warm_start(SolverBody& on_a, SolverBody& on_b) const;
+  void stop(SolverBodies& on);
+  void warm_start(SolverBodies& on) const;
   // One visit of the accumulated impulses; of the pseudo ones. Return the largest relative velocity mended.
-  Real hold(SolverBody& on_a, SolverBody& on_b);
-  Real push(SolverBody& on_a, SolverBody& on_b);
+  Real hold(SolverBodies& on);
+  Real push(SolverBodies& on);
+
+  // For those who solve many joints together.
+  void renew_rows(const Joints& joints, const Bodies& bodies, const SolverBodies& on);  // where the bodies are now
+  void forget_impulse() { impulse_ = {}; }
+  void apply(SolverBodies& on, const std::array<Real, 6>& impulse);                  // and accumulates
+  void restart(const Joints& joints, const Bodies& bodies, const SolverBodies& on);  // as constructed
+
   void store(Joints& joints) const;
 
  private:
@@ -34,21 +50,23 @@ class JointSolve {
     bool present = false;
     Real mass = 0, impulse = 0, low = 0, high = 0;  // impulse within low…high
     Real target = 0;                                // rate that it aims at
-    Real push = 0, push_target = 0;
+    Real push = 0, excess = 0;                      // excess: how far beyond the limit
   };
-  void prepare_coordinate(Joints& joints, const JointRows& demands, const SolverBody& on_a, const SolverBody& on_b, Real h);
-  template <class Speed, class Apply>
-  Real solve_block(bool pull, Speed speed, Apply apply);
+  void set_rows(const JointRows& demands, const SolverBodies& on);
+  void prepare_coordinate(Joints& joints, const JointRows& demands, const SolverBodies& on, Real h);
+  template <class Apply>
+  Real solve_block(Real pull, const Moving& on_a, const Moving& on_b, Apply apply);
 
   std::uint32_t joint_;
-  JointPull pull_;
-  int count_;  // rows of the block
+  JointPull pull_{};
+  int count_ = 0;  // rows of the block
   std::array<PreparedRow, 6> rows_;
-  SmallSystem block_;
-  std::array<Real, 6> impulse_, bias_{};  // bias: rate that pulls the position back
-  std::array<Real, 6> struck_{};          // of all impacts
+  std::array<Real, 36> block_{};  // K, factored
+  std::array<Real, 6> impulse_;
+  std::array<Real, 6> struck_{};  // of all impacts
   Real struck_limit_ = 0;
   BoundedRow low_, high_, drive_;
+  bool near_limit_ = false;
 };
 
 }

@@ -267,11 +267,9 @@ void World::Impl::step(double dt) {
   ++steps;
   profile.contacts = std::int64_t(active_contacts.size());
   profile.points = report.points;
-  profile.collision_passes = report.collision_passes;
-  profile.contact_passes = report.contact_passes;
-  profile.point_passes = report.point_passes;
-  profile.joint_passes = report.joint_passes;
-  profile.solve_microseconds = report.passes_microseconds;
+  profile.collision = report.collision;
+  profile.contact = report.contact;
+  profile.joint = report.joint;
   profile.awake = std::int64_t(awake.size());
 }
 

@@ -116,7 +116,7 @@ TEST(ThesisErrata, SubStepsMultiplyTheCost) {
     w.add({.shape = box({1, 1, 1}), .at = {0, 0.5, 0}, .velocity = {1, 0, 0}});
     w.step();
     EXPECT_DOUBLE_EQ(w.time(), 0.01);
-    passes[n == 4] = w.profile().contact_passes;
+    passes[n == 4] = w.profile().contact.used;
   }
   EXPECT_GE(passes[0], 1);
   EXPECT_GE(passes[1], 4);

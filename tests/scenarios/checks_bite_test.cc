@@ -33,8 +33,10 @@ void slope(World& w) { w.add(Gravity{{0.05, 0, 0}}); }  // half a degree: more t
 // none; and every parameter that begins with one of these words is set as low as it goes.
 std::vector<Removal> removals(const std::vector<Params::Entry>& params) {
   std::vector<Removal> all = {
-      {"no passes", {.config = {{"impulse_2007.collision_passes", "0"}, {"impulse_2007.contact_passes", "0"}}}},
-      {"one pass", {.config = {{"impulse_2007.collision_passes", "1"}, {"impulse_2007.contact_passes", "1"}}}},
+      {"no passes", {.config = {{"impulse_2007.collision_passes", "0"}, {"impulse_2007.contact_passes", "0"},
+                                {"impulse_2007.exact_joints", "false"}}}},
+      {"one pass", {.config = {{"impulse_2007.collision_passes", "1"}, {"impulse_2007.contact_passes", "1"},
+                               {"impulse_2007.exact_joints", "false"}}}},
       {"no joints", {}, remove_joints},
       {"no gravity", {}, remove_gravity},
       {"air", {}, add_air},

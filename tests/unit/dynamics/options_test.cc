@@ -59,8 +59,8 @@ TEST(Options, PassesEndEarly) {
   add_floor(w);
   w.add(cube({0, 0.5, 0}));
   step(w, 200);
-  EXPECT_GE(w.profile().contact_passes, 1);
-  EXPECT_LT(w.profile().contact_passes, 40);
+  EXPECT_GE(w.profile().contact.used, 1);
+  EXPECT_LT(w.profile().contact.used, 40);
   EXPECT_EQ(w.profile().points, 4);
   EXPECT_EQ(w.profile().contacts, 1);
 }

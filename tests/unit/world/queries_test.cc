@@ -244,8 +244,8 @@ TEST(Profile, NamesTheStagesAndCounts) {
   EXPECT_EQ(p.contacts, 1);
   EXPECT_EQ(p.points, 4);
   EXPECT_EQ(p.awake, 1);
-  EXPECT_GE(p.contact_passes, 2);
-  EXPECT_GE(p.point_passes, 8);
+  EXPECT_GE(p.contact.used, 2);
+  EXPECT_GE(p.contact.visits, 8);
 }
 
 TEST(Quality, MeasuresOverlapAndGaps) {

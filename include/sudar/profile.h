@@ -1,0 +1,28 @@
+// What a step cost.
+#pragma once
+
+#include <sudar/base.h>
+
+#include <vector>
+
+namespace sudar::inline SUDAR_PRECISION {
+
+struct Profile {
+  struct Stage {
+    const char* name;
+    double microseconds;
+  };
+  struct Passes {
+    std::int64_t used = 0;    // passes, summed over the step's sub-steps
+    std::int64_t visits = 0;  // of a contact point or a joint in a pass
+    double microseconds = 0;  // of the visits
+  };
+  std::vector<Stage> stages;
+  std::int64_t contacts = 0, points = 0;  // touching pairs and their points in the last sub-step
+  std::int64_t awake = 0;                 // dynamic bodies awake
+  Passes collision;                       // of points; the time includes the search for contacts that approach
+  Passes contact;                         // of points
+  Passes joint;                           // of joints, in both kinds of passes
+};
+
+}
