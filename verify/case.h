@@ -70,9 +70,10 @@ struct Case {
   const char* needs = "";         // what the engine lacks: such a case has no run, and counts as not passed
   bool uses_solver = true;        // false: geometry
   // What falls as h^order, where theory says so: the run states it by deviation(), and a sweep over step sizes measures
-  // the order.
+  // the order, with 1, 2, 4 and 8 times so many sub-steps.
   const char* sweep = "";
   double order = 0;
+  int sweep_from = 1;
 };
 
 class Run {

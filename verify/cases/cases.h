@@ -14,5 +14,8 @@ std::vector<Case> rolling();
 std::vector<Case> toppling();
 std::vector<Case> stacks();
 std::vector<Case> arches();
+std::vector<Case> chains();
+std::vector<Case> domino_rows();
+std::vector<Case> tops();
 
 }
