@@ -10,6 +10,102 @@ namespace sudar::verify {
 
 namespace {
 
+// V31. A disc that rolls on its rim while its centre of mass stands still: inclined by α it goes round with
+// Ω² sin α = 4 g/R, turning with Ω sin α about the diameter through the lowest point.
+void euler_disc(Run& run) {
+  const double r = run["radius"], alpha = run["tilt"] * pi / 180, thick = r / 500, m = 1;
+  const double round = std::sqrt(4 * standard_gravity / (r * std::sin(alpha)));
+  Config c = run.config();
+  c.impulse_2007.slop = Real(thick / 10);
+  World w(c);
+  add_gravity(w, run.with("gravity", standard_gravity));
+  const Material rough = material(10);
+  add_ground(w, rough);
+  const Vec3d diameter{std::cos(alpha), std::sin(alpha), 0};
+  const Body disc = w.add({.shape = cylinder(Real(r), Real(thick)),
+                           .at = {0, r * std::sin(alpha) + thick / 2 * std::cos(alpha), 0},
+                           .turn = axis_angle(Vec3{0, 0, 1}, Real(alpha)),
+                           .spin = convert<Real>(diameter * (round * std::sin(alpha))),
+                           .mass = Real(m),
+                           .inertia = Mat3::diagonal({Real(m * r * r / 4), Real(m * r * r / 2), Real(m * r * r / 4)}),
+                           .material = rough});
+  double worst = 0, turned = 0, before = 0;
+  Plot& plot = run.plot("Inclination", "t [s]", "α [°]");
+  run.until(w, 1, [&] {
+    const Vec3 axis = rotate(w[disc].pose().q, Vec3{0, 1, 0});
+    const double tilt = std::acos(std::clamp(double(axis.y), -1.0, 1.0)) * 180 / pi, azimuth = std::atan2(double(axis.z), double(axis.x));
+    worst = std::max(worst, std::fabs(tilt - run["tilt"]));
+    turned += std::remainder(before - azimuth + (w.steps() == 1 ? pi : 0), 2 * pi);  // the axis leans towards −x at first
+    before = azimuth;
+    plot.theory.emplace_back(w.time(), run["tilt"]);
+    plot.simulation.emplace_back(w.time(), tilt);
+  });
+  run.below("largest change of the inclination in 1 s", "°", worst, 0.5);
+  run.deviation(worst);
+  run.relative("rate of going round, mean", "rad/s", round, turned, 0.01);
+}
+
+// V32. A rattleback: an ellipsoid on whose axes its inertia is not aligned. Rolling without slip, in body axes: u points
+// down, r from the centre of mass to the contact; the contact stays where it is, so v = r × ω.
+struct Rattleback {
+  Vec3d radii;
+  double below;  // the centre of mass lies so far below the middle
+  Mat3d inertia;
+  double g = standard_gravity;  // mass 1
+  Vec3d squared(const Vec3d& x) const { return {square(radii.x) * x.x, square(radii.y) * x.y, square(radii.z) * x.z}; }
+  Vec3d arm(const Vec3d& u) const { return squared(u) * (1 / std::sqrt(dot(u, squared(u)))) + Vec3d{0, below, 0}; }
+  Vector rate(const Vector& y) const {
+    const Vec3d omega{y[0], y[1], y[2]}, u{y[3], y[4], y[5]}, du = cross(u, omega);
+    const double s = std::sqrt(dot(u, squared(u)));
+    const Vec3d r = arm(u), dr = squared(du) * (1 / s) - squared(u) * (dot(u, squared(du)) / (s * s * s));
+    const Vec3d v = cross(r, omega), known = cross(r, cross(dr, omega) + cross(omega, v) - u * g) - cross(omega, inertia * omega);
+    const Mat3d about = inertia + Mat3d::diagonal({dot(r, r), dot(r, r), dot(r, r)}) - Mat3d::outer(r, r);
+    const Vec3d faster = inverse(about) * known;
+    return {faster.x, faster.y, faster.z, du.x, du.y, du.z};
+  }
+};
+
+void rattleback(Run& run) {
+  const Rattleback law{{run["a"], run["c"], run["b"]}, run["below"], Mat3d{{2e-4, 0, 2e-5}, {0, 1.7e-3, 0}, {2e-5, 0, 1.6e-3}}};
+  const double tilt = run["tilt"] * pi / 180, end = run["time"];
+  for (const double spin : {-run["spin"], run["spin"]}) {
+    const Quat turn = axis_angle(Vec3{0, 0, 1}, Real(tilt));
+    Config c = run.fine_config();
+    c.impulse_2007.slop = Real(1e-5);
+    World w(c);
+    add_gravity(w, run.with("gravity", law.g));
+    const Material rough = material(10);
+    add_ground(w, rough);
+    const Vec3d u = rotate_back(convert<double>(turn), Vec3d{0, -1, 0}), omega = u * -spin;
+    const Vec3d arm = rotate(convert<double>(turn), law.arm(u));
+    const double height = -arm.y + law.below * std::cos(tilt);  // of the middle
+    const Body stone = w.add({.shape = ellipsoid(convert<Real>(law.radii)),
+                              .at = {0, height, 0},
+                              .turn = turn,
+                              .velocity = convert<Real>(cross(arm, Vec3d{0, spin, 0})),
+                              .spin = {0, Real(spin), 0},
+                              .mass = 1,
+                              .center = Vec3{0, Real(-law.below), 0},
+                              .inertia = Mat3{convert<Real>(law.inertia.c0), convert<Real>(law.inertia.c1), convert<Real>(law.inertia.c2)},
+                              .material = rough});
+    Vector y{omega.x, omega.y, omega.z, u.x, u.y, u.z};
+    double reversed = 0, exact_reversed = 0, fastest = 0;
+    Plot& plot = run.plot(spin < 0 ? "Rate, turning the wrong way" : "Rate, turning the right way", "t [s]", "ω [rad/s]");
+    run.until(w, end, [&] {
+      y = solve_ode([&](double, const Vector& x) { return law.rate(x); }, 0, y, w.config().dt);
+      const double exact = -(y[0] * y[3] + y[1] * y[4] + y[2] * y[5]), got = double(w[stone].spin().y);
+      if (exact_reversed == 0 && exact * spin < 0) exact_reversed = w.time();
+      if (reversed == 0 && got * spin < 0) reversed = w.time();
+      if (reversed > 0) fastest = std::max(fastest, std::fabs(got));
+      if (w.steps() % 4 != 0) return;
+      plot.theory.emplace_back(w.time(), exact);
+      plot.simulation.emplace_back(w.time(), got);
+    });
+    const std::string way = spin < 0 ? "wrong way: reverses (1: yes)" : "right way: reverses (1: yes)";
+    run.check(way, "", exact_reversed > 0, reversed > 0, 0);
+  }
+}
+
 // V33. A tippe top: a ball of radius R whose centre of mass lies the distance a below its middle, on the axis e of its
 // inertia (A, A, C). Friction of the sliding contact lifts it; whatever the friction, L · (R ŷ − a e) is constant
 // (Jellett 1872), for the contact's force has no moment about the line from the contact point to the centre of mass.
@@ -80,13 +176,23 @@ std::vector<Case> tops() {
        .group = "Rolling",
        .formula = "Ω² sin α = 4 g/R with the centre of mass at rest",
        .source = "Moffatt, Nature 404 (2000) 833",
-       .needs = "an exact cylinder"},
+       .parameters = {{"radius", 0.0376, 0.01, 10, "m"}, {"tilt", 20, 2, 60, "°"}},
+       .sets = {{"steeper", {{"tilt", 35}, {"radius", 0.1}}}},
+       .run = euler_disc,
+       .without = "gravity",
+       .sweep = "the change of the inclination",
+       .order = 1,
+       .sweep_from = 32},
       {.id = "V32",
        .title = "Rattleback",
        .group = "Rolling",
-       .formula = "spin one way reverses, the other way persists",
-       .source = "Garcia & Hubbard 1988; independent solution without slip",
-       .needs = "an ellipsoid"},
+       .formula = "rolls without slip: turned one way it rattles and reverses, turned the other way it goes on",
+       .source = "Kane & Levinson 1982; independent solution without slip, Dormand & Prince 5(4)",
+       .parameters = {{"a", 0.2, 0.05, 1, "m"}, {"b", 0.03, 0.01, 0.2, "m"}, {"c", 0.02, 0.005, 0.1, "m"}, {"below", 0.01, 0, 0.05, "m"}, {"spin", 5, 1, 20, "rad/s"},
+                      {"tilt", 0.5, 0, 5, "°"}, {"time", 6, 1, 30, "s"}},
+       .sets = {{"slower", {{"spin", 4}}}},
+       .run = rattleback,
+       .without = "gravity"},
       {.id = "V33",
        .title = "Tippe top",
        .group = "Rolling",
