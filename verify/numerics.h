@@ -49,6 +49,17 @@ Moment solve_until(const Rate& f, double t0, Vector y, double latest,
 // Whether some x ≥ 0 has A x ≤ b: phase one of the simplex method with Bland's rule, for small problems.
 bool feasible(std::vector<Vector> a, Vector b);
 
+// Reproducible numbers: x ← 1664525 x + 1013904223 mod 2³² (Numerical Recipes), of which the upper half is used.
+class Random {
+ public:
+  explicit Random(std::uint32_t seed) : state_(seed) {}
+  std::uint32_t bits() { return (state_ = 1664525 * state_ + 1013904223) >> 16; }
+  double between(double low, double high) { return low + (high - low) * bits() / 65536.0; }
+
+ private:
+  std::uint32_t state_;
+};
+
 // Slope of the line through the points that has the least squared error.
 double slope(const std::vector<std::pair<double, double>>& points);
 

@@ -6,7 +6,7 @@ namespace sudar::verify {
 const std::vector<Case>& all_cases() {
   static const std::vector<Case> cases = [] {
     std::vector<Case> all;
-    for (const auto file : {free_bodies, rotations, pendulums, impacts, friction, rolling, toppling, stacks, arches, chains, domino_rows, tops}) {
+    for (const auto file : {free_bodies, rotations, pendulums, chains, impacts, friction, rolling, tops, toppling, domino_rows, stacks, arches, solids, distances}) {
       std::vector<Case> some = file();
       all.insert(all.end(), some.begin(), some.end());
     }
