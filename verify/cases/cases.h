@@ -16,6 +16,7 @@ std::vector<Case> stacks();
 std::vector<Case> arches();
 std::vector<Case> chains();
 std::vector<Case> domino_rows();
+std::vector<Case> bowls();
 std::vector<Case> tops();
 std::vector<Case> solids();
 std::vector<Case> distances();
