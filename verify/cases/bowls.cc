@@ -15,7 +15,7 @@ namespace {
 void pipe(Run& run) {
   const double big = run["pipe"], r = run["ball"], rate = run["rate"], k = 0.4, g = standard_gravity;
   const double nu = rate * std::sqrt(k / (1 + k)), period = 2 * pi / nu, dip = 2 * g / ((1 + k) * nu * nu), v = rate * (big - r);
-  World w(run.fine_config());
+  World w(with_small_slop(run.fine_config()));
   add_gravity(w, run.with("gravity", g));
   const Material rough = material(10);
   w.add({.shape = hollow_cylinder(Real(big), Real(20)), .material = rough, .motion = Motion::fixed});
@@ -42,7 +42,7 @@ void bowl(Run& run) {
   for (const bool rolls : {true, false}) {
     const double slower = rolls ? 7.0 / 5 : 1, l = big - r;
     const double period = 4 * std::sqrt(slower * l / g) * elliptic_k(square(std::sin(start / 2)));
-    World w(run.fine_config());
+    World w(with_small_slop(run.fine_config()));
     add_gravity(w, run.with("gravity", g));
     const Material m = material(rolls ? 10 : 0);
     w.add({.shape = hollow_sphere(Real(big)), .material = m, .motion = Motion::fixed});
@@ -59,9 +59,7 @@ void bowl(Run& run) {
       plot.simulation.emplace_back(w.time(), angle);
     });
     const auto& t = zeros.moments();
-    const double got = t.size() > 2 ? t[2] - t[0] : std::nan("");
-    run.relative(rolls ? "period, rolling" : "period, smooth", "s", period, got, 0.005);
-    if (rolls) run.deviation(std::fabs(got - period));
+    run.relative(rolls ? "period, rolling" : "period, smooth", "s", period, t.size() > 2 ? t[2] - t[0] : std::nan(""), 0.005);
   }
 }
 
@@ -88,9 +86,7 @@ std::vector<Case> bowls() {
        .parameters = {{"bowl", 1, 0.1, 10, "m"}, {"ball", 0.1, 0.01, 1, "m"}, {"from", 0.5, 0.01, 1.4, "rad"}},
        .sets = {{"farther", {{"from", 1}, {"ball", 0.2}}}},
        .run = bowl,
-       .without = "gravity",
-       .sweep = "the period",
-       .order = 1},
+       .without = "gravity"},
   };
 }
 

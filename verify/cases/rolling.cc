@@ -136,7 +136,7 @@ void turntable(Run& run) {
   World w(run.config());
   add_gravity(w, g);
   const Material m = material(run.with("friction", 1));
-  w.add({.shape = cylinder(2, 1, 64), .at = {0, -0.5, 0}, .spin = {0, Real(omega), 0}, .material = m, .motion = Motion::kinematic});
+  w.add({.shape = cylinder(2, 1), .at = {0, -0.5, 0}, .spin = {0, Real(omega), 0}, .material = m, .motion = Motion::kinematic});
   // Seen from above with the second axis along −z; the lowest point moves with the table: v + ω × (−r ŷ) = Ω × x.
   const Vec3 at{Real(x0), 0, 0}, velocity{0, 0, Real(-v0)}, table = cross(Vec3{0, Real(omega), 0}, at), slip = table - velocity;
   const Vec3 spin = cross(slip, Vec3{0, 1, 0}) * Real(1 / r);
