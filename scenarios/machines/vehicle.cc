@@ -11,12 +11,12 @@ struct Vehicle : Scenario {
   enum Driver { by_keys, over_the_bridge, in_circles };
   int driver = by_keys;
   Real gravity = 5, torque = 23.4, steering = 1.5, friction_static = 0.6, friction_dynamic = 0.5;
-  Body chassis, wheels[4];       // left (+z) front and back, right front and back; front is −x
-  bool touched = false;          // a key was pressed
-  double parked_x = 0;           // where it stood after 5 s, m
-  double low_z = 0, high_z = 0;  // the way across, m
-  double low_x = 0, high_x = 0;  // and along, m
-  double turned_left = 0;        // rad
+  Body seesaw, chassis, wheels[4];  // left (+z) front and back, right front and back; front is −x
+  bool touched = false;             // a key was pressed
+  double parked_x = 0;              // where it stood after 5 s, m
+  double low_z = 0, high_z = 0;     // the way across, m
+  double low_x = 0, high_x = 0;     // and along, m
+  double turned_left = 0;           // rad
 
   void params(Params& p) override {
     p("driver", driver, 0, 2, "0: the keys, 1: over the bridge, 2: in circles");
@@ -25,7 +25,7 @@ struct Vehicle : Scenario {
     p("friction_static", friction_static, 0, 2, "of the wheels"), p("friction_dynamic", friction_dynamic, 0, 2);
   }
   void state(State& s) override {
-    s("chassis", chassis), s("wheels", wheels), s("touched", touched);
+    s("seesaw", seesaw), s("chassis", chassis), s("wheels", wheels), s("touched", touched);
     s("parked_x", parked_x), s("low_x", low_x), s("high_x", high_x), s("low_z", low_z), s("high_z", high_z);
     s("turned_left", turned_left);
   }
@@ -54,10 +54,11 @@ struct Vehicle : Scenario {
                      .name = "chassis"});
     // Turned by half a side, so that a wheel stands on a face: on an edge the parked car would roll off.
     const Quat upright = turned({0, 0, 1}, 7.5) * turned({1, 0, 0}, 90);
+    constexpr const char* names[] = {"left front wheel", "left back wheel", "right front wheel", "right back wheel"};
     for (int i = 0; i < 4; ++i) {
       const Pos at{i % 2 == 0 ? -7.5 : 7.5, 9, i < 2 ? 10.6 : -10.6};
-      wheels[i] =
-          w.add({.shape = prism(24, 6, 6), .at = at, .turn = upright, .density = 1, .material = tyre, .name = "wheel"});
+      wheels[i] = w.add(
+          {.shape = prism(24, 6, 6), .at = at, .turn = upright, .density = 1, .material = tyre, .name = names[i]});
       w.join(Hinge{.a = chassis, .b = wheels[i], .at = at});
       if (i % 2 == 0) continue;
       for (double y : {-6.0, 6.0}) {
@@ -84,12 +85,13 @@ struct Vehicle : Scenario {
   void add_seesaw(World& w) {
     const Vec3 outline[] = {{0, 0, 0}, {100, 20, 0}, {-100, 20, 0}};
     const Pos pivot{10, 0, 150};
-    const Body seesaw = w.add({.shape = prism(outline, 60),
-                               .at = pivot,
-                               .turn = turned({0, 1, 0}, 90),
-                               .density = 0.1,
-                               .material = ground,
-                               .name = "seesaw"});
+    seesaw = w.add({.shape = prism(outline, 60),
+                    .at = pivot,
+                    .turn = turned({0, 1, 0}, 90),
+                    .spin = {-0.05, 0, 0},  // it comes down on the vehicle's side
+                    .density = 0.1,
+                    .material = ground,
+                    .name = "seesaw"});
     w.join(Hinge{.b = seesaw, .at = pivot, .axis = {1, 0, 0}});
   }
 
@@ -104,10 +106,10 @@ struct Vehicle : Scenario {
     }
   }
   Vec3 axle(const World& w) const { return rotate(w[chassis].pose().q, Vec3{0, 0, 1}); }
-  // A key now and then keeps the heading: towards −x, on the line z = 0.
+  // Keeps the heading as short strokes of the keys do on average: towards −x, on the line z = 0.
   double steer(const World& w) const {
-    const double off = -axle(w).x + 0.004 * w[chassis].center().z;
-    return off > 0.02 ? 1 : off < -0.02 ? -1 : 0;
+    const double off = -axle(w).x - 0.004 * w[chassis].center().z, turning = w[chassis].spin().y;
+    return clamp(0.7 * (off - turning), -0.3, 0.3);
   }
 
   // How far front and back wheels of a side are from turning alike, rad.
@@ -134,8 +136,13 @@ struct Vehicle : Scenario {
       c.at(22).below("x after 22 s, over the bridge", p.x, -351, "m");
     }
   }
-  void check(const World&, Check& c) override {
-    if (touched || driver != in_circles) return;
+  void check(const World& w, Check& c) override {
+    if (touched) return;
+    if (driver == by_keys) {
+      const double rise = abs(rotate(w[seesaw].pose().q, Vec3{1, 0, 0}).y);
+      c.near("tilt of the seesaw", sudar::asin(rise) * 180 / pi, sudar::atan2(20.0, 100.0) * 180 / pi, 0.1, "degrees");
+    }
+    if (driver != in_circles) return;
     c.above("way turned", turned_left, 2 * pi, "rad");
     c.below("turning circle", max(high_x - low_x, high_z - low_z), 60, "m");
   }
