@@ -14,6 +14,7 @@ struct Trebuchet : Scenario {
   Joint sling;
   double let_go = -1, range = 0;  // when the sling let go, s; where the stone will land, m
   double landed = -1, x = 0;      // when and where it did
+  bool by_hand = false;           // let go by the user
 
   void params(Params& p) override {
     p("gravity", gravity, 0, 20, "m/s²"), p("counterweight", counterweight, 1, 50, "kg/m³"),
@@ -21,7 +22,7 @@ struct Trebuchet : Scenario {
   }
   void state(State& s) override {
     s("arm", arm), s("stone", stone), s("sling", sling);
-    s("let_go", let_go), s("range", range), s("landed", landed), s("x", x);
+    s("let_go", let_go), s("range", range), s("landed", landed), s("x", x), s("by_hand", by_hand);
   }
   void config(Config& c) override { c = thesis_config(); }
 
@@ -52,7 +53,8 @@ struct Trebuchet : Scenario {
     if (let_go >= 0) return;
     const Vec3 v = w[stone].velocity();
     const bool steep = v.y > v.x * sudar::tan(release * pi / 180);
-    if (in.pressed("space") || (v.x > 5 && !steep)) {
+    by_hand = in.pressed("space");
+    if (by_hand || (v.x > 5 && !steep)) {
       w.remove(sling);
       let_go = w.time();
       const double fall = w[stone].center().y - ground_level - radius, up = v.y;
@@ -67,7 +69,7 @@ struct Trebuchet : Scenario {
     }
   }
   void check(const World&, Check& c) override {
-    c.above("the stone flies to", x, 60, "m");
+    if (!by_hand) c.above("the stone flies to", x, 60, "m");
     c.near("it lands where a parabola ends", x, range, 0.01 * abs(range), "m");
   }
   std::vector<KeyHelp> keys() const override { return {{"space", "let go now"}}; }
