@@ -98,10 +98,17 @@ Nearest nearest(const Simplex& s) {
   return n;
 }
 
+// In the order they have, so that none is overwritten before it is moved.
 void keep(const Nearest& n, Simplex& s) {
-  const Simplex old = s;
-  s.size = n.size;
-  for (int i = 0; i < n.size; ++i) s.vertex[i] = old.vertex[n.index[i]], s.weight[i] = n.weight[i];
+  int count = 0;
+  for (int old = 0; old < s.size; ++old) {
+    for (int i = 0; i < n.size; ++i) {
+      if (n.index[i] != old) continue;
+      if (count != old) s.vertex[count] = s.vertex[old];
+      s.weight[count++] = n.weight[i];
+    }
+  }
+  s.size = count;
 }
 
 }
@@ -109,7 +116,8 @@ void keep(const Nearest& n, Simplex& s) {
 Gap gap(const Convex& a, const Convex& b, const Vec3d& shift, const Vec3d& start, double beyond) {
   constexpr int most = 100;
   const double scale = a.radius() + b.radius() + length(a.at - b.at - shift);
-  const double touch = 1e-11 * scale, enough = 1e-15 * scale;
+  constexpr double digits = sizeof(Real) == sizeof(float) ? 1e-12 : 1e-14;
+  const double touch = 1e-11 * scale, enough = digits * scale;
   Gap out;
   Simplex s;
   Vec3d v = start;
@@ -117,7 +125,7 @@ Gap gap(const Convex& a, const Convex& b, const Vec3d& shift, const Vec3d& start
   for (int step = 0; step < most; ++step) {
     const double reach = length(v);
     if (!(reach > (s.size > 0 ? touch : 0))) return out;
-    Vertex next;
+    Vertex& next = s.vertex[s.size];
     next.a = a.support(-v);
     next.b = b.support(v) + shift;
     next.w = next.a - next.b;
@@ -129,14 +137,15 @@ Gap gap(const Convex& a, const Convex& b, const Vec3d& shift, const Vec3d& start
     bool known = false;
     for (int i = 0; i < s.size; ++i) known |= s.vertex[i].w == next.w;
     if (s.size > 0 && (known || reach - bound <= enough)) break;
-    Simplex larger = s;
-    larger.vertex[larger.size++] = next;
-    const Nearest n = nearest(larger);
+    ++s.size;
+    const Nearest n = nearest(s);
     if (n.size == 4) return out;
-    if (!(n.squared < squared)) break;
+    if (!(n.squared < squared)) {
+      --s.size;
+      break;
+    }
     squared = n.squared;
-    keep(n, larger);
-    s = larger;
+    keep(n, s);
     v = n.point;
   }
   const double distance = length(v);

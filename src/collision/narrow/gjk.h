@@ -1,7 +1,7 @@
 // The distance of two convex bodies by their support functions (E. Gilbert, D. Johnson, S. Keerthi 1988; G. van den
 // Bergen 2004): walks over simplices of the Minkowski difference a − b towards its point nearest to the origin.
 //
-// In double whatever Real is, and to the last digits: the error of the direction is the square root of that of the
+// In double whatever Real is, and nearly to the last digits: the error of the direction is the square root of that of the
 // distance, and a normal that is off by 1e-4 bends the path of what rolls.
 #pragma once
 
@@ -17,7 +17,8 @@ struct Gap {
   Vec3d on_a, on_b;     // the nearest points
 };
 
-// Gives up where the distance is certainly greater than `beyond`.
+// Begins with `start` as a guess of the way from b to a, and gives up where the distance is certainly greater than
+// `beyond`.
 Gap gap(const Convex& a, const Convex& b, const Vec3d& shift_of_b, const Vec3d& start, double beyond);
 
 }

@@ -171,7 +171,7 @@ Separation polished(const Convex& a, const Convex& b, WayOut way) {
     if (!(better > -1e-12 * size)) break;
     way = {-g.normal, depth};
     out = {-depth, g.normal, g.on_a, g.on_a + g.normal * depth};
-    if (!(better > 1e-14 * size)) break;
+    if (!(better > 1e-9 * size)) break;  // the next one would be better by the square of the error
   }
   return out;
 }
