@@ -166,11 +166,11 @@ Separation polished(const Convex& a, const Convex& b, WayOut way) {
     const Vec3d shift = way.normal * (max(way.depth, 0.0) + opening);
     const Gap g = gap(a, b, shift, -way.normal, infinity);
     if (!g.apart) break;
-    const double depth = -core_separation(a, b, g.normal);
-    const double better = way.depth - depth;
-    if (!(better > -1e-12 * size)) break;
-    way = {-g.normal, depth};
-    out = {-depth, g.normal, g.on_a, g.on_a + g.normal * depth};
+    const double depth = -core_separation(a, b, g.normal), better = way.depth - depth;
+    if (better > 0) way = {-g.normal, depth};
+    // The nearest points of the opened gap also where the direction was right already: a support point of a flat side
+    // may be any corner of it.
+    out = {-way.depth, -way.normal, g.on_a, g.on_a + way.normal * -way.depth};
     if (!(better > 1e-9 * size)) break;  // the next one would be better by the square of the error
   }
   return out;

@@ -3,6 +3,8 @@
 
 #include "collision/narrow/separation.h"
 
+#include <sudar/distance.h>
+
 #include <gtest/gtest.h>
 
 namespace sudar::test {
@@ -30,6 +32,8 @@ TEST(Separation, IsTheLargestOverAllDirections) {
 
 // --- manifolds ---
 
+Pose pose(const Transform& t) { return {{t.p.x, t.p.y, t.p.z}, t.q}; }
+
 constexpr double pi2 = pi / 2;
 const Quat lying = turned({0, 0, 1}, pi2);  // a cylinder along −x
 
@@ -56,17 +60,34 @@ TEST(Curved, NoneMissedNoPhantomNoneTooDeep) {
       if (truth < 0) { EXPECT_LT(lowest_separation(m), truth / 2 + 2e-4 * scale); }
       for (const ManifoldPoint& p : points(m)) {
         EXPECT_LT(p.separation, margin);
-        // Between the two surfaces, or on one of them.
-        const double depth = std::max(0.0, -double(p.separation)) + std::max(0.0, margin) + 0.06 * scale;
-        const Solid sa(a, pa), sb(b, pb);
-        for (const Solid* s : {&sa, &sb}) {
-          EXPECT_LT(dot(wide(p.at), n) - s->reach(n), depth);
-          EXPECT_LT(-dot(wide(p.at), n) - s->reach(-n), depth);
-        }
+        // Both surfaces are no farther than the separation.
+        const Pos place{p.at.x, p.at.y, p.at.z};
+        const double reach = std::abs(p.separation) + 2e-3 * scale;
+        EXPECT_LT(distance(a, pose(pa), place).value, reach);
+        EXPECT_LT(distance(b, pose(pb), place).value, reach);
       }
     }
   }
   EXPECT_GT(touching, 1000);
+}
+
+// Story: on a large floor the points were a corner of the floor, where the direction had been exact from the start, and
+// ellipsoids fell through.
+TEST(Curved, OnALargeFloorPointsAreWhereTheBodyIs) {
+  Random random(3);
+  const Shape floor = box({40, 2, 40});
+  for (int i = 0; i < 1000; ++i) {
+    const Shape s = random_curved(random);
+    const Quat q = random.turn();
+    const double height = distance(s, {{}, q}, half_space(), {}).value;
+    const Transform t = at(random.uniform(-9, 9), 1 - height - random.uniform(0, 0.01), random.uniform(-9, 9), q);
+    const Manifold m = contact(s, t, floor, here, 0.01);
+    ASSERT_GT(m.count, 0);
+    EXPECT_NEAR(m.normal.y, 1, 1e-6);
+    for (const ManifoldPoint& p : points(m)) {
+      EXPECT_LT(distance(s, pose(t), Pos{p.at.x, p.at.y, p.at.z}).value, std::max(0.0, double(p.separation)) + 1e-5);
+    }
+  }
 }
 
 TEST(Curved, ACylinderStandsOnFourPointsOfItsRim) {
