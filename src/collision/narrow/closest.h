@@ -19,6 +19,19 @@ struct SegmentPoints {
 Real closest(const Segment& a, const Vec3& point);  // the parameter
 SegmentPoints closest(const Segment& a, const Segment& b);
 
+// A stretch of a segment.
+template <class T>
+struct Interval {
+  T low = 0, high = 1;
+  // Cuts off where base + slope·t > 0.
+  void clip(T base, T slope) {
+    if (slope > 0) high = min(high, -base / slope);
+    if (slope < 0) low = max(low, -base / slope);
+    if (slope == 0 && base > 0) high = -1;
+  }
+  bool empty() const { return !(low < high); }
+};
+
 // How far a point is from a convex polyhedron; negative inside, then to the nearest face.
 struct HullDistance {
   Real distance;

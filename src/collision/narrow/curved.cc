@@ -1,6 +1,6 @@
 #include "collision/narrow/curved.h"
 
-#include "collision/narrow/patch.h"
+#include "collision/narrow/overlay.h"
 #include "collision/narrow/reduce.h"
 #include "collision/narrow/separation.h"
 
@@ -48,7 +48,7 @@ void collide_curved(const Placed& pa, const Placed& pb, Real margin, Manifold& o
   }
   const std::uint32_t end_of_a = of_a.feature_at(s.on_a, how.thick), end_of_b = of_b.feature_at(s.on_b, how.thick);
   out.points[0] = {convert<Real>(s.on_a * how.share + s.on_b * (1 - how.share)), Real(s.distance),
-                   end_of_b != lone_point ? end_of_b : end_of_a};
+                   end_of_b != feature::lone ? end_of_b : end_of_a};
   out.count = 1;
 }
 

@@ -12,17 +12,6 @@ void add(const Vec3& at, Real separation, std::uint32_t feature, Real margin, Ma
   if (separation < margin) out.points[std::size_t(out.count++)] = {at, separation, feature};
 }
 
-struct Interval {
-  Real low = 0, high = 1;
-  // Cuts off where base + slope·t > 0.
-  void clip(Real base, Real slope) {
-    if (slope > 0) high = min(high, -base / slope);
-    if (slope < 0) low = max(low, -base / slope);
-    if (slope == 0 && base > 0) high = -1;
-  }
-  bool empty() const { return !(low < high); }
-};
-
 // The normal between segments that touch: across both, or across one, or any.
 Vec3 normal_at_touch(const Segment& a, const Segment& b) {
   const Vec3 across = cross(a.along, b.along);
@@ -52,7 +41,7 @@ void collide_rounds(const Round& a, const Round& b, Real margin, Manifold& out) 
     // The stretch of a beside which b lies, and the points of b at right angles to its ends.
     const Real slope = dot(a.axis.along, b.axis.along) / aa;
     const Real base = dot(b.axis.start - a.axis.start, a.axis.along) / aa;
-    Interval stretch;
+    Interval<Real> stretch;
     stretch.low = max(Real(0), min(base, base + slope));
     stretch.high = min(Real(1), max(base, base + slope));
     if (!stretch.empty()) {
@@ -159,7 +148,7 @@ void collide_capsule_hull(const Round& capsule, const Polyhedron& hull, Real mar
     if (dot(f.normal, n) > 1 - square(flat_sine) / 2) under = &f;
   }
   if (under && square(dot(n, s.along)) < square(flat_sine) * length_squared(s.along)) {
-    Interval stretch;
+    Interval<Real> stretch;
     for (std::uint32_t k = 0; k < under->count; ++k) {
       const Vec3& from = hull.vertices[hull.loops[under->first + k]];
       const Vec3& to = hull.vertices[hull.loops[under->first + (k + 1 == under->count ? 0 : k + 1)]];
