@@ -72,6 +72,23 @@ void expect_goes_on(const ScenarioEntry& entry) {
   EXPECT_EQ(w.steps(), 150);
 }
 
+// A slider may be drawn to either end of its range.
+void expect_runs_at_the_ends(const ScenarioEntry& entry) {
+  const Session usual(entry);
+  for (const Params::Entry& p : usual.params()) {
+    for (const double value : {p.low, p.high}) {
+      SCOPED_TRACE(p.name + " = " + std::to_string(value));
+      Session session(entry, {.set = {{p.name, value}}});
+      for (int i = 0; i < 50; ++i) {
+        session.step();
+        EXPECT_TRUE(session.world().events().quarantined.empty());
+      }
+      session.finish();
+      EXPECT_EQ(session.abandoned(), "");
+    }
+  }
+}
+
 class Run : public testing::Test {
  public:
   explicit Run(std::function<void()> body) : body_(std::move(body)) {}
@@ -110,6 +127,7 @@ int main(int argc, char** argv) {
     add_test(*entry, "restores", [entry] { expect_restores(*entry, {}), expect_restores(*entry, awake); });
     add_test(*entry, "replays", [entry] { expect_replays(*entry); });
     add_test(*entry, "goes_on", [entry] { expect_goes_on(*entry); });
+    add_test(*entry, "ends_of_ranges", [entry] { expect_runs_at_the_ends(*entry); });
     add_test(*entry, "answers_keys", [entry] { expect_answers(*entry); });
   }
   for (const Variant& v : variants()) {
