@@ -13,6 +13,7 @@
 // that a scenario has the same bits on every machine.
 #pragma once
 
+#include <sudar/layout.h>
 #include <sudar/world.h>
 
 #include <cstring>
@@ -190,7 +191,7 @@ struct ScenarioEntry {
   void (*destroy)(Scenario*);
 };
 
-// Version, precision, compiler, standard library and sizes: what must agree between program and plugin.
+// Version, precision, compiler, standard library, sizes and layouts: what must agree between program and plugin.
 std::string abi_of_this_engine();
 template <int = 0>
 const char* abi_of_this_file() {
@@ -206,8 +207,10 @@ const char* abi_of_this_file() {
 #else
       " libstdc++ " + std::to_string(_GLIBCXX_RELEASE) +
 #endif
-      " sizes " + std::to_string(sizeof(World)) + " " + std::to_string(sizeof(BodyDef)) + " " +
-      std::to_string(sizeof(JointDef)) + " " + std::to_string(sizeof(Config));
+      " sizes " + std::to_string(sizeof(World)) + " " + std::to_string(sizeof(JointDef)) + " " +
+      std::to_string(sizeof(Params)) + " " + std::to_string(sizeof(State)) + " " + std::to_string(sizeof(Check)) + " " +
+      std::to_string(sizeof(Input)) + " layouts " + std::to_string(Layout::of<Config>()) + " " +
+      std::to_string(Layout::of<BodyDef>()) + " " + std::to_string(Layout::of(JointDef{}));
   return text.c_str();
 }
 
