@@ -139,8 +139,9 @@ Gap gap(const Convex& a, const Convex& b, const Vec3d& shift, const Vec3d& start
     if (s.size > 0 && (known || reach - bound <= enough)) break;
     ++s.size;
     const Nearest n = nearest(s);
-    if (n.size == 4) return out;
-    if (!(n.squared < squared)) {
+    if (n.size == 4 && !(bound > touch)) return out;
+    // No progress, or a tetrahedron so flat that it seems to hold the origin although a plane is known to lie between.
+    if (n.size == 4 || !(n.squared < squared)) {
       --s.size;
       break;
     }

@@ -187,7 +187,7 @@ Separation between_segments(const Convex& a, const Convex& b) {
               along_b = b.axis() * double(b.geometry->half_length);
   const auto [on_a, on_b] = closest(Segment3{a.at - along_a, a.at + along_a}, Segment3{b.at - along_b, b.at + along_b});
   const double distance = length(on_a - on_b);
-  if (distance > 0) return rounded(a, b, {distance, (on_a - on_b) / distance, on_a, on_b});
+  if (distance > 1e-11 * (a.radius() + b.radius())) return rounded(a, b, {distance, (on_a - on_b) / distance, on_a, on_b});
   // They cross: out across both, or across the longer one.
   const Vec3d across = cross(along_a, along_b);
   const Vec3d longer = length_squared(along_a) < length_squared(along_b) ? b.axis() : a.axis();

@@ -135,7 +135,7 @@ TEST(Distance, TheBoxesOfV39) {
 // together proves a distance, whatever the shapes.
 TEST(Distance, ProvesItself) {
   Random random(2);
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 20000; ++i) {
     const Shape a = random_convex(random), b = random_convex(random);
     const Transform ta{random.in_box(1.5), random.turn()}, tb{random.in_box(1.5), random.turn()};
     const Pose pa{{ta.p.x, ta.p.y, ta.p.z}, ta.q}, pb{{tb.p.x, tb.p.y, tb.p.z}, tb.q};

@@ -71,7 +71,7 @@ TEST(View, OfAHingesFrames) {
   const Vec3 y = rotate(w[j].frame_a(), Vec3{0, 1, 0}), z = rotate(w[j].frame_a(), Vec3{0, 0, 1}),
              turned = rotate(w[j].frame_b(), Vec3{0, 1, 0});
   EXPECT_GT(abs(w[j].coordinate()), 0.02);
-  EXPECT_NEAR(atan2(dot(turned, z), dot(turned, y)), w[j].coordinate(), 1e-3);
+  EXPECT_NEAR(std::atan2(dot(turned, z), dot(turned, y)), w[j].coordinate(), 1e-3);
 }
 
 // What the joint's view tells of anchors and definition.
