@@ -24,7 +24,8 @@ const std::vector<Variant>& variants() {
       {"suspension_bridge", "hangs_with_slack", {.set = {{"slack", 3}}}},
       {"vehicle", "drives_over_the_bridge", {.set = {{"driver", 1}}}},
       {"vehicle", "turns_in_circles", {.set = {{"driver", 2}}}},
-      {"arch", "folds_if_thin", {.set = {{"thickness", 0.08}}}},
+      {"arch", "folds_at_0.105", {.set = {{"thickness", 0.105}}}},
+      {"arch", "stands_at_0.110", {.set = {{"thickness", 0.11}}}},
       {"solar_system", "keeps_a_circle_for_1000_orbits", {.set = {{"planets", 1}, {"fixed_sun", 1}}, .seconds = 7.6e9}},
   };
   return all;
