@@ -1,7 +1,6 @@
 #include "verify/case.h"
 
 #include <cmath>
-
 namespace sudar::verify {
 
 Values values_of(const Case& c, const Values& set) {
@@ -47,12 +46,15 @@ Config Run::fine_config() const {
   return c;
 }
 
-void Run::until(World& w, double seconds, const std::function<void()>& visit) const {
+void Run::until(World& w, double seconds, const std::function<void()>& visit) {
+  const bool draw = setting_.pictures && picture_.empty();
+  if (draw) picture_.add(w);
   const double half_step = w.config().dt * double(w.config().time_factor) / 2;
   while (w.time() < seconds - half_step) {
     w.step();
     visit();
   }
+  if (draw) picture_.add(w);
 }
 
 void Run::check(std::string name, std::string unit, double exact, double got, double tolerance) {

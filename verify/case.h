@@ -16,6 +16,8 @@
 
 #include <sudar/world.h>
 
+#include "verify/picture.h"
+
 #include <deque>
 #include <functional>
 #include <map>
@@ -83,6 +85,7 @@ class Run {
     bool broken = false;  // with its physics taken away
     int substeps = 4;     // of a step of 1/60 s
     Effort effort = Effort::normal;
+    bool pictures = false;  // of the first world, for the report
   };
   Run(const Case& c, const Values& set, const Setting& setting);
 
@@ -98,7 +101,7 @@ class Run {
   double h() const { return config().dt / config().substeps; }  // length of a sub-step, s
   // Steps until the world's time has come to `seconds`, and visits after each step.
   void until(
-      World& w, double seconds, const std::function<void()>& visit = [] {}) const;
+      World& w, double seconds, const std::function<void()>& visit = [] {});
 
   void check(std::string name, std::string unit, double exact, double got, double tolerance);
   // The same with a tolerance that is a share of the exact value.
@@ -113,6 +116,7 @@ class Run {
 
   const std::vector<Quantity>& quantities() const { return quantities_; }
   const std::deque<Plot>& plots() const { return plots_; }
+  const Picture& picture() const { return picture_; }  // before and after
 
  private:
   const Case& case_;
@@ -121,6 +125,7 @@ class Run {
   std::vector<Quantity> quantities_;
   std::deque<Plot> plots_;  // a plot stays where it is while others are added
   double deviation_ = 0;
+  Picture picture_;
 };
 
 // The value of the parameter in the set, or its default.

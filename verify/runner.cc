@@ -89,6 +89,7 @@ std::vector<Result> plan(const Options& o) {
 void measure_order(const Case& c, Result& r, Run::Setting setting) {
   for (const int times : {1, 2, 4, 8}) {
     setting.substeps = c.sweep_from * times;
+    setting.pictures = false;
     Run run(c, r.parameters, setting);
     c.run(run);
     r.sweep.emplace_back(run.h(), run.deviation());
@@ -102,7 +103,7 @@ void run_one(const Options& o, Result& r) {
   const auto start = std::chrono::steady_clock::now();
   const Case& c = *r.of;
   try {
-    const Run::Setting setting{r.solver.value_or(Solver::impulse_2007), o.broken, 4, o.effort};
+    const Run::Setting setting{r.solver.value_or(Solver::impulse_2007), o.broken, 4, o.effort, o.pictures};
     Run run(c, r.parameters, setting);
     if (c.run == nullptr) {
       r.failure = std::string("needs ") + c.needs;
@@ -111,6 +112,7 @@ void run_one(const Options& o, Result& r) {
     c.run(run);
     r.quantities = run.quantities();
     r.plots = run.plots();
+    if (!run.picture().empty()) r.picture = run.picture().svg();
     if (*c.sweep != 0 && o.effort != Effort::quick && !o.broken) measure_order(c, r, setting);
   } catch (const std::exception& e) { r.failure = e.what(); }
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

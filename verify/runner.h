@@ -18,6 +18,7 @@ struct Result {
   std::optional<Solver> solver;  // none: the case is geometry
   std::vector<Quantity> quantities{};
   std::deque<Plot> plots{};
+  std::string picture{};  // SVG
   std::vector<std::pair<double, double>> sweep{};  // length of a sub-step, deviation
   double seconds = 0;                              // it took
   std::string failure{};                           // why it could not be run to its end
@@ -32,6 +33,7 @@ struct Options {
   unsigned jobs = 0;    // 0: as many as the processor has
   bool broken = false;  // with the physics taken away
   bool only_defaults = false;  // of the parameter sets
+  bool pictures = false;       // for the report
 };
 
 // How many cases pass: a case does when it does so with every set of parameters and every solver.

@@ -1,6 +1,7 @@
 // sudar verify: how right the engine is, case by case (docs/verification.md).
-#include "verify/runner.h"
+#include "verify/report.h"
 
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -20,12 +21,12 @@ using Json = nlohmann::ordered_json;
 
 struct VerifyOptions {
   std::vector<std::string> cases, set;
-  std::string solver;
+  std::string solver, report;
   bool quick = false, full = false, list = false, json = false;
   unsigned jobs = 0;
 
   Options options() const {
-    Options o{.cases = cases, .set = parse_parameters(set), .jobs = jobs};
+    Options o{.cases = cases, .set = parse_parameters(set), .jobs = jobs, .pictures = !report.empty()};
     if (quick && full) throw Error("--quick", "and --full exclude each other");
     o.effort = quick ? Effort::quick : full ? Effort::full : Effort::normal;
     o.solvers.clear();
@@ -74,6 +75,12 @@ Json json_of(const std::vector<Result>& results) {
   return all;
 }
 
+std::string measured() {
+  const Config c;
+  return "Sudar " SUDAR_VERSION ", " + std::string(sizeof(Real) == 4 ? "single" : "double") + " precision, " + std::to_string(std::lround(1 / c.dt)) +
+         " Hz × " + std::to_string(c.substeps) + " sub-steps";
+}
+
 int verify(const VerifyOptions& v) {
   if (v.list) {
     list_cases();
@@ -83,6 +90,7 @@ int verify(const VerifyOptions& v) {
   const std::vector<Result> results = run_cases(v.options(), [&](double share) { progress.show(share); });
   progress.clear();
   const Tally tally = count(results);
+  if (!v.report.empty()) write_report(results, v.report, measured());
   if (v.json) {
     std::cout << json_of(results).dump(2) << '\n';
   } else {
@@ -104,6 +112,7 @@ void add_verify(CLI::App& app, Action& chosen) {
   sub->add_option("--set", v->set, "parameter of the cases: NAME=VALUE; may be repeated")->allow_extra_args(false);
   sub->add_option("--solver", v->solver, "one solver only: " + choices(names(Solver{})));
   sub->add_option("--jobs", v->jobs, "cases at once; else as many as the processor has cores");
+  sub->add_option("--report", v->report, "writes pages for a browser with curves into this folder");
   sub->add_flag("--json", v->json, "the results as JSON (docs/verification.md)");
   sub->callback([&chosen, v] { chosen = [v](const Catalogue&) { return verify(*v); }; });
 }

@@ -63,7 +63,7 @@ double least_thickness(int stones) {
   return (low + high) / 2;
 }
 
-bool arch_stands(const Run& run, int stones, double thickness) {
+bool arch_stands(Run& run, int stones, double thickness) {
   const Arch arch{stones, thickness};
   World w(with_small_slop(run.config()));
   add_gravity(w, standard_gravity);
@@ -132,7 +132,7 @@ class CardHouse {
  public:
   static constexpr double length = 1, thickness = 0.01;
   // The friction is that of the floor; what rubs on cards does not slip.
-  CardHouse(const Run& run, double half_angle, double friction)
+  CardHouse(Run& run, double half_angle, double friction)
       : world_(with_small_slop(run.config())), half_(half_angle), cards_(material(2)) {
     add_gravity(world_, standard_gravity);
     add_ground(world_, material(square(friction) / 2));  // mixed geometrically
@@ -158,7 +158,7 @@ class CardHouse {
   }
   // Between two meetings: the inner feet must not reach each other, for they would hold what friction does not.
   double spread() const { return 2 * length * std::sin(half_) + 0.5; }
-  bool stands(const Run& run) {
+  bool stands(Run& run) {
     std::vector<double> heights;
     for (const Body b : cards) heights.push_back(world_[b].center().y);
     run.until(world_, 5);
@@ -179,13 +179,13 @@ class CardHouse {
   std::vector<Body> cards;
 };
 
-bool cards_stand(const Run& run, double half, double friction) {
+bool cards_stand(Run& run, double half, double friction) {
   CardHouse house(run, half, friction);
   house.lean(0, 0);
   return house.stands(run);
 }
 
-bool two_storeys_stand(const Run& run, double half, double friction) {
+bool two_storeys_stand(Run& run, double half, double friction) {
   CardHouse house(run, half, friction);
   double top = 0;
   for (const double side : {-0.5, 0.5}) top = house.lean(side * house.spread(), 0);

@@ -18,6 +18,8 @@ std::vector<Case> chains();
 std::vector<Case> domino_rows();
 std::vector<Case> bowls();
 std::vector<Case> tops();
+std::vector<Case> momentum();
+std::vector<Case> grains();
 std::vector<Case> solids();
 std::vector<Case> distances();
 

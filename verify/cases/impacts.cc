@@ -182,7 +182,7 @@ void struck_rod(Run& run) {
 }
 
 // V69. A ball on a vibrating plate bounces once a period exactly when A ω²/g ≥ π (1−e)/(1+e).
-bool bounces_once_a_period(const Run& run, double strength) {
+bool bounces_once_a_period(Run& run, double strength) {
   const double e = run["restitution"], period = 1 / run["frequency"], omega = 2 * pi / period, g = standard_gravity;
   const double amplitude = strength * pi * (1 - e) / (1 + e) * g / square(omega), r = ball_radius;
   const double phase = std::acos(std::min(1.0, 1 / strength));  // of the impacts, where they exist

@@ -67,7 +67,7 @@ double elevation(const BodyView& rod) {
 
 // V20. A ladder: stands when tan θ > 1/2μ (smooth wall) or (1−μ²)/2μ (rough wall); without friction it leaves the wall
 // at sin θ = ⅔ sin θ₀.
-World ladder(const Run& run, double length, double angle, double floor, double wall) {
+World ladder(Run& run, double length, double angle, double floor, double wall) {
   World w(run.fine_config());
   add_gravity(w, standard_gravity);
   add_ground(w, material(floor));
