@@ -122,6 +122,7 @@ Gap gap(const Convex& a, const Convex& b, const Vec3d& shift, const Vec3d& start
   Simplex s;
   Vec3d v = start;
   double squared = std::numeric_limits<double>::infinity(), bound = -squared;
+  int slivers = 0;
   for (int step = 0; step < most; ++step) {
     const double reach = length(v);
     if (!(reach > (s.size > 0 ? touch : 0))) return out;
@@ -129,21 +130,30 @@ Gap gap(const Convex& a, const Convex& b, const Vec3d& shift, const Vec3d& start
     next.a = a.support(-v);
     next.b = b.support(v) + shift;
     next.w = next.a - next.b;
-    bound = max(bound, dot(v, next.w) / reach);  // the plane through w at right angles to v separates by this
+    const double apart = dot(v, next.w) / reach;  // the plane through w at right angles to v separates by this
+    if (apart > bound) bound = apart, out.normal = v / reach;
     if (bound > beyond) {
-      out.apart = true, out.distance = bound, out.normal = v / reach, out.on_a = next.a, out.on_b = next.b;
+      out.apart = true, out.distance = bound, out.on_a = next.a, out.on_b = next.b;
       return out;
     }
+    if (s.size > 0 && reach - bound <= enough) break;
     bool known = false;
     for (int i = 0; i < s.size; ++i) known |= s.vertex[i].w == next.w;
-    if (s.size > 0 && (known || reach - bound <= enough)) break;
     ++s.size;
     const Nearest n = nearest(s);
     if (n.size == 4 && !(bound > touch)) return out;
-    // No progress, or a tetrahedron so flat that it seems to hold the origin although a plane is known to lie between.
-    if (n.size == 4 || !(n.squared < squared)) {
-      --s.size;
-      break;
+    // No progress, or a tetrahedron so flat that it seems to hold the origin although a plane is known to lie between:
+    // the simplex has become a sliver. A new one from here often gets farther.
+    if (known || n.size == 4 || !(n.squared < squared)) {
+      if (reach - bound <= 1e4 * enough || ++slivers > 2) {
+        --s.size;
+        break;
+      }
+      s.vertex[0] = s.vertex[s.size - 1];
+      s.size = 1, s.weight[0] = 1;
+      v = s.vertex[0].w;
+      squared = length_squared(v);
+      continue;
     }
     squared = n.squared;
     keep(n, s);
@@ -153,7 +163,8 @@ Gap gap(const Convex& a, const Convex& b, const Vec3d& shift, const Vec3d& start
   if (!(distance > touch)) return out;
   out.apart = true;
   out.distance = distance;
-  out.normal = v / distance;
+  // The normal is that of the best plane, which proves the distance; v itself is off by a little more where it has just
+  // met a long flat side.
   out.on_a = s.mix(&Vertex::a);
   out.on_b = s.mix(&Vertex::b);
   return out;

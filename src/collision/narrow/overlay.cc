@@ -90,7 +90,11 @@ class Overlayer {
     if (!((t.high - t.low) * sqrt(full) > how_.thick)) return;
     int end = 0;
     for (const double k : {t.low, t.high}) {
-      put(p.start + along * k, q.start + other * ((k - base) / slope), p.id[end++]);
+      const Vec3d on_p = p.start + along * k, on_q = q.start + other * ((k - base) / slope);
+      const std::uint32_t feature = p.id[end++];
+      // Where lines that cross at a small angle have left each other they no longer touch.
+      const Vec3d aside = on_p - on_q - how_.normal * dot(how_.normal, on_p - on_q);
+      if (length_squared(aside) < square(100 * how_.thick)) put(on_p, on_q, feature);
     }
   }
 
