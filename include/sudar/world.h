@@ -55,7 +55,7 @@ struct Contact {
   std::array<Point, 4> points;
   int count = 0;
   Real friction_static = 0, friction_dynamic = 0, restitution = 0;
-  bool slipping = false;
+  bool slipping = false;  // friction is at the edge of its cone, and the bodies move along each other
 };
 
 struct RayHit {

@@ -153,6 +153,21 @@ Wrench JointView::load() const {
 
 // --- contacts and rays ---
 
+namespace {
+
+// Whether the bodies move along each other there, by the 0.1 mm/s that also keep them from sleep. A contact that holds
+// with all that its cone allows does not slip.
+bool slides(const World& w, const Contact& c) {
+  const Real still = Real(1e-4) * w.config().length_unit;
+  for (std::size_t k = 0; k < std::size_t(c.count); ++k) {
+    const Vec3 u = w[c.a].velocity_at(c.points[k].at) - w[c.b].velocity_at(c.points[k].at);
+    if (length(u - c.normal * dot(u, c.normal)) > still) return true;
+  }
+  return false;
+}
+
+}
+
 std::vector<Contact> World::contacts() const {
   const Impl& w = *impl_;
   std::vector<Contact> contacts;
@@ -163,7 +178,7 @@ std::vector<Contact> World::contacts() const {
     const ContactImpulse& impulse = w.contacts.impulse[row.row];
     Contact c{w.bodies.slots.handle<BodyTag>(a), w.bodies.slots.handle<BodyTag>(b), row.manifold.normal, {},
               row.manifold.count, material.friction_static, material.friction_dynamic, material.restitution,
-              w.contacts.slipping[row.row] != 0};
+              false};
     const Pos origin = w.bodies.shape_pose(a).p;
     for (std::size_t k = 0; k < std::size_t(c.count); ++k) {
       const ManifoldPoint& p = row.manifold.points[k];
@@ -171,6 +186,7 @@ std::vector<Contact> World::contacts() const {
       c.points[k] = {origin + p.at, p.separation, impulse.normal[k], impulse.friction[k],
                      cone > 0 ? length(impulse.friction[k]) / cone : Real(0)};
     }
+    c.slipping = w.contacts.slipping[row.row] != 0 && slides(*this, c);
     contacts.push_back(c);
   }
   return contacts;
