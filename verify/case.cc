@@ -65,6 +65,10 @@ void Run::relative(std::string name, std::string unit, double exact, double got,
   check(std::move(name), std::move(unit), exact, got, share * std::fabs(exact));
 }
 
+void Run::refutes(std::string name, std::string unit, double exact, double wrong, double tolerance) {
+  quantities_.push_back({std::move(name) + " (wrong)", std::move(unit), exact, wrong, tolerance, true});
+}
+
 void Run::lacks(std::string name, std::string unit, double exact, const char* what) {
   check(name + " (needs " + what + ")", std::move(unit), exact, std::nan(""), 0);
 }

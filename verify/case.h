@@ -34,17 +34,23 @@ struct Parameter {
   const char* unit;
 };
 
+// How much is run: quick is part of the tests, full takes its time.
+enum class Effort { quick, normal, full };
+
 struct ParameterSet {
   const char* name;
   Values values;  // what differs from the defaults
+  Effort effort = Effort::quick;  // from which on it is run
 };
 
-// One compared number. It passes when it is within the tolerance, which has the quantity's unit.
+// One compared number. It passes when it is within the tolerance, which has the quantity's unit; what shows a wrong
+// formula, when it is not.
 struct Quantity {
   std::string name, unit;
   double exact, got, tolerance;
+  bool refuted = false;
   double error() const { return got > exact ? got - exact : exact - got; }  // NaN: could not be measured
-  bool pass() const { return error() <= tolerance; }
+  bool pass() const { return refuted ? error() > tolerance : error() <= tolerance; }
 };
 
 // What is drawn: the exact curve as a line, the simulation as dots over it.
@@ -52,9 +58,6 @@ struct Plot {
   std::string title, x, y;
   std::vector<std::pair<double, double>> theory{}, simulation{};
 };
-
-// How much is run: quick is part of the tests, full takes its time.
-enum class Effort { quick, normal, full };
 
 // A case in one world of one solver with one set of parameters.
 class Run;
@@ -107,6 +110,8 @@ class Run {
   // The same with a tolerance that is a share of the exact value.
   void relative(std::string name, std::string unit, double exact, double got, double share);
   void below(std::string name, std::string unit, double got, double limit) { check(name, unit, 0, got, limit); }
+  // What a wrong formula gives, beside what is right: passes when it is off.
+  void refutes(std::string name, std::string unit, double exact, double wrong, double tolerance);
   void holds(std::string name, bool got) { check(name, "", 1, got ? 1 : 0, 0); }
   // A part of the case that the engine cannot do: not passed.
   void lacks(std::string name, std::string unit, double exact, const char* what);

@@ -28,8 +28,9 @@ Tally count(const std::vector<Result>& results) {
     if (i > 0 && results[i].of == results[i - 1].of) continue;
     bool passed = true;
     for (std::size_t k = i; k < results.size() && results[k].of == results[i].of; ++k) passed &= results[k].passed();
-    ++tally.cases;
-    tally.passed += passed ? 1 : 0;
+    const bool catalogue = results[i].of->id[0] == 'V';
+    ++(catalogue ? tally.cases : tally.beside);
+    (catalogue ? tally.passed : tally.beside_passed) += passed ? 1 : 0;
     tally.cannot += results[i].of->run == nullptr ? 1 : 0;
   }
   return tally;
@@ -37,7 +38,8 @@ Tally count(const std::vector<Result>& results) {
 
 std::string Tally::text() const {
   return std::to_string(passed) + " of " + std::to_string(cases) + " cases pass; " + std::to_string(cases - passed - cannot) +
-         " fail, " + std::to_string(cannot) + " need what the engine does not have";
+         " fail, " + std::to_string(cannot) + " need what the engine does not have" +
+         (beside > 0 ? "; beside them " + std::to_string(beside_passed) + " of " + std::to_string(beside) : "");
 }
 
 const char* solver_name(Solver solver) { return names(solver)[std::size_t(solver)]; }
@@ -75,6 +77,7 @@ std::vector<Result> plan(const Options& o) {
       sets = {{"chosen", own}};
     else if (!o.only_defaults) sets.insert(sets.end(), c->sets.begin(), c->sets.end());
     for (const ParameterSet& set : sets) {
+      if (set.effort > o.effort) continue;
       const Result r{.of = c, .set = set.name, .parameters = values_of(*c, set.values), .solver = {}};
       if (!c->uses_solver) results.push_back(r);
       for (std::size_t s = 0; c->uses_solver && s < o.solvers.size(); ++s)

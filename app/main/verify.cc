@@ -97,7 +97,7 @@ int verify(const VerifyOptions& v) {
     for (const Result& r : results) print(r);
     std::printf("\n%s\n", tally.text().c_str());
   }
-  return tally.passed == tally.cases ? 0 : 1;
+  return tally.passed == tally.cases && tally.beside_passed == tally.beside ? 0 : 1;
 }
 
 }

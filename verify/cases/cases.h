@@ -21,6 +21,8 @@ std::vector<Case> tops();
 std::vector<Case> momentum();
 std::vector<Case> grains();
 std::vector<Case> solids();
+std::vector<Case> simbenchmark();
+std::vector<Case> errata();
 std::vector<Case> distances();
 
 }

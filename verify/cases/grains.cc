@@ -90,7 +90,19 @@ void angle_of_repose(Run& run) {
 }
 
 // V48. What runs out of a round hole: W = 0.58 ρ √g (D − 1.4 d)^⁵⁄₂, whatever the filling (Beverloo).
-double discharge(Run& run, double hole) {
+struct Discharge {
+  double flow, density;  // grains a second; grains in a volume of d³
+};
+
+// The height under which 99 of 100 grains lie.
+double top_of(const World& w, const std::vector<Body>& grains) {
+  std::vector<double> heights;
+  for (const Body b : grains) heights.push_back(w[b].center().y);
+  std::sort(heights.begin(), heights.end());
+  return heights[heights.size() * 99 / 100] + 0.5;
+}
+
+Discharge discharge(Run& run, double hole) {
   const double width = run["width"], seconds = 6;
   World w(run.config());
   add_gravity(w, standard_gravity);
@@ -112,6 +124,7 @@ double discharge(Run& run, double hole) {
   Random random{std::uint32_t(run["seed"])};
   std::vector<Body> grains = fill(w, int(run["grains"]), width, 0, m, random);
   run.until(w, 4);
+  const double density = double(grains.size()) / (width * width * top_of(w, grains));
   if (!run.without("hole")) w.remove(plug);
   std::vector<std::pair<double, double>> out;
   double gone = 0;
@@ -126,17 +139,16 @@ double discharge(Run& run, double hole) {
     plot.simulation.emplace_back(w.time() - 4, gone);
     if (w.time() > 5) out.emplace_back(w.time(), gone);
   });
-  return slope(out);
+  return {slope(out), density};
 }
 
 void hourglass(Run& run) {
-  const double packing = 0.6, per_grain = packing / (pi / 6);  // grains in a volume of d³
   std::vector<std::pair<double, double>> logs;
   double got = 0, exact = 0;
   for (const double hole : {run["hole"] - 1, run["hole"], run["hole"] + 1}) {
-    const double flow = discharge(run, hole);
+    const auto [flow, density] = discharge(run, hole);
     logs.emplace_back(std::log(hole - 1.4), std::log(std::max(flow, 1e-9)));
-    if (hole == run["hole"]) got = flow, exact = 0.58 * per_grain * std::sqrt(standard_gravity) * std::pow(hole - 1.4, 2.5);
+    if (hole == run["hole"]) got = flow, exact = 0.58 * density * std::sqrt(standard_gravity) * std::pow(hole - 1.4, 2.5);
   }
   run.relative("grains a second", "1/s", exact, got, 0.1);
   run.check("exponent of D − 1.4 d", "1", 2.5, slope(logs), 0.1);
@@ -167,10 +179,7 @@ SiloFloor silo_floor(Run& run, int n) {
       for (int k = 0; k < c.count; ++k) force += double(c.points[std::size_t(k)].normal_impulse) * std::fabs(double(c.normal.y)) / run.h();
     }
   });
-  std::vector<double> heights;
-  for (const Body b : grains) heights.push_back(w[b].center().y);
-  std::sort(heights.begin(), heights.end());
-  const double depth = heights[heights.size() * 99 / 100] + 0.5 - (w[floor].center().y + 1);
+  const double depth = top_of(w, grains) - (w[floor].center().y + 1);
   return {force / samples / (width * width), depth, n * grain_mass / (width * width * depth)};
 }
 
