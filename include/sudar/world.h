@@ -9,6 +9,7 @@
 #pragma once
 
 #include <sudar/definitions.h>
+#include <sudar/distance.h>
 #include <sudar/profile.h>
 
 #include <array>
@@ -175,6 +176,7 @@ class World {
   // For each of bodies() the smallest index among those that it hangs together with, by contacts and joints of dynamic
   // bodies.
   std::vector<std::uint32_t> islands() const;
+  SignedDistance distance(Body a, Body b) const;  // between their shapes, touching or not (distance.h)
   Energy energy() const;
   Momentum momentum() const;
   const Events& events() const;

@@ -219,6 +219,10 @@ std::optional<RayHit> World::ray_cast(const Pos& from, const Vec3& direction, Re
   return nearest;
 }
 
+SignedDistance World::distance(Body a, Body b) const {
+  return sudar::distance((*this)[a].shape(), (*this)[a].pose(), (*this)[b].shape(), (*this)[b].pose());
+}
+
 // --- sums ---
 
 std::vector<Box> World::fat_boxes() const {

@@ -14,7 +14,7 @@ void check(const char* name, const Shape& shape, const Pos& p, const Quat& q) {
 }
 
 // The shape is convex, the other geometry too or a half space; everything about at_a.p.
-Distance to_convex(const Shape& a, const Pose& at_a, const Geometry& b, const Pose& at_b) {
+SignedDistance to_convex(const Shape& a, const Pose& at_a, const Geometry& b, const Pose& at_b) {
   const Convex convex(a.geometry(), at_a.q, {});
   const Vec3d way = between(at_a.p, at_b.p);
   if (b.kind == ShapeKind::half_space) {
@@ -29,16 +29,16 @@ Distance to_convex(const Shape& a, const Pose& at_a, const Geometry& b, const Po
 
 }
 
-Distance distance(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
+SignedDistance distance(const Shape& a, const Pose& at_a, const Shape& b, const Pose& at_b) {
   check("a", a, at_a.p, at_a.q);
   check("b", b, at_b.p, at_b.q);
   if (a.kind() != ShapeKind::half_space) return to_convex(a, at_a, b.geometry(), at_b);
   if (b.kind() == ShapeKind::half_space) throw Error("b", "is a half space like a");
-  const Distance d = to_convex(b, at_b, a.geometry(), at_a);
+  const SignedDistance d = to_convex(b, at_b, a.geometry(), at_a);
   return {d.value, -d.normal, d.on_b, d.on_a};
 }
 
-Distance distance(const Shape& a, const Pose& at_a, const Pos& point) {
+SignedDistance distance(const Shape& a, const Pose& at_a, const Pos& point) {
   check("a", a, at_a.p, at_a.q);
   if (!is_finite(point)) throw Error("point", "is not finite");
   const Geometry nothing;  // a sphere of radius 0

@@ -39,7 +39,7 @@ class Polytope {
   }
 
  private:
-  static constexpr int most_points = 96, most_faces = 256;
+  static constexpr int most_points = 128, most_faces = 320;
 
   struct Face {
     int corner[3], beside[3];  // beside[i]: the face across the edge corner[i] → corner[i + 1]
@@ -107,23 +107,27 @@ class Polytope {
 
   // Replaces the faces that see the point by a fan from it to their outline.
   bool grow(int seen_first, int point) {
-    first_new_ = face_count_;
+    fan_count_ = removed_count_ = 0;
     remove(seen_first);
     for (int i = 0; i < 3; ++i) {
       if (!visit(faces_[seen_first].beside[i], seen_first, point)) return false;
     }
-    const int count = face_count_ - first_new_;
-    if (count < 3) return false;
-    for (int i = 0; i < count; ++i) {  // the outline was walked in order
-      const int now = first_new_ + i, next = first_new_ + (i + 1) % count;
+    if (fan_count_ < 3) return false;
+    for (int i = 0; i < fan_count_; ++i) {  // the outline was walked in order
+      const int now = fan_[i], next = fan_[(i + 1) % fan_count_];
       if (faces_[now].corner[1] != faces_[next].corner[0]) return false;
       faces_[now].beside[1] = next;
       faces_[next].beside[2] = now;
     }
+    for (int i = 0; i < removed_count_; ++i) free_[free_count_++] = removed_[i];
     return true;
   }
 
-  void remove(int f) { faces_[f].alive = false; }
+  // Its place is free again only when the fan is closed: until then its neighbours are told by its number.
+  void remove(int f) {
+    faces_[f].alive = false;
+    removed_[removed_count_++] = f;
+  }
 
   // Comes over an edge from the removed face `from`.
   bool visit(int f, int from, int point) {
@@ -136,8 +140,9 @@ class Polytope {
       remove(f);
       return visit(face.beside[(entry + 1) % 3], f, point) && visit(face.beside[(entry + 2) % 3], f, point);
     }
-    if (face_count_ == most_faces) return false;
-    const int made = face_count_++;
+    if (free_count_ == 0 && face_count_ == most_faces) return false;
+    const int made = free_count_ > 0 ? free_[--free_count_] : face_count_++;
+    fan_[fan_count_++] = made;
     Face& fan = faces_[made];
     fan.corner[0] = face.corner[(entry + 1) % 3], fan.corner[1] = face.corner[entry], fan.corner[2] = point;
     fan.beside[0] = f;
@@ -152,7 +157,9 @@ class Polytope {
   WayOut best_;
   Vec3d points_[most_points];
   Face faces_[most_faces];
-  int point_count_ = 0, face_count_ = 0, first_new_ = 0;
+  int point_count_ = 0, face_count_ = 0;
+  int fan_[most_faces], removed_[most_faces], free_[most_faces];
+  int fan_count_ = 0, removed_count_ = 0, free_count_ = 0;
 };
 
 // b moved out along the way and a little more: what opens is a gap whose direction is a better way, until no more.
@@ -187,7 +194,8 @@ Separation between_segments(const Convex& a, const Convex& b) {
               along_b = b.axis() * double(b.geometry->half_length);
   const auto [on_a, on_b] = closest(Segment3{a.at - along_a, a.at + along_a}, Segment3{b.at - along_b, b.at + along_b});
   const double distance = length(on_a - on_b);
-  if (distance > 1e-11 * (a.radius() + b.radius())) return rounded(a, b, {distance, (on_a - on_b) / distance, on_a, on_b});
+  if (distance > 1e-11 * (a.radius() + b.radius()))
+    return rounded(a, b, {distance, (on_a - on_b) / distance, on_a, on_b});
   // They cross: out across both, or across the longer one.
   const Vec3d across = cross(along_a, along_b);
   const Vec3d longer = length_squared(along_a) < length_squared(along_b) ? b.axis() : a.axis();

@@ -61,7 +61,7 @@ inline Best search(const Solid& a, const Solid& b, int lattice = 600, int climbs
   for (int k = 0; k < climbs; ++k) {
     Best now = starts[std::size_t(k)];
     double stride = 0.15;
-    while (stride > 1e-9) {
+    for (int step = 0; stride > 1e-9 && step < 300; ++step) {
       const Vec3d u = any_perpendicular(now.normal), v = cross(now.normal, u);
       Best next = now;
       for (int j = 0; j < 12; ++j) {
@@ -82,28 +82,32 @@ inline Best search(const Solid& a, const Solid& b, int lattice = 600, int climbs
 
 inline double true_separation(const Solid& a, const Solid& b) { return search(a, b).separation; }
 
-// A random shape with a curved surface, of the size 1.
+// A random shape with a curved surface, of the size 1. (Sizes in braces: the order in which arguments are evaluated is
+// the compiler's own.)
 inline Shape random_curved(Random& random) {
   const auto size = [&] { return Real(random.uniform(0.2, 1.2)); };
-  switch (random.below(4)) {
+  const int kind = random.below(4);
+  const Vec3 sizes{size(), size(), size()};
+  switch (kind) {
     case 0:
-      return cylinder(size(), size());
+      return cylinder(sizes.x, sizes.y);
     case 1:
-      return cone(size(), size());
+      return cone(sizes.x, sizes.y);
     case 2:
-      return ellipsoid({size(), size(), size()});
+      return ellipsoid(sizes);
     default:
-      return cylinder(size(), Real(random.uniform(0.02, 0.1)));  // a coin
+      return cylinder(sizes.x, Real(0.08) * sizes.y);  // a coin
   }
 }
 
 inline Shape random_convex(Random& random) {
-  const auto size = [&] { return Real(random.uniform(0.2, 1)); };
-  switch (random.below(6)) {
+  const int kind = random.below(6);
+  const Vec3 sizes{Real(random.uniform(0.2, 1)), Real(random.uniform(0.2, 1)), 0};
+  switch (kind) {
     case 0:
-      return sphere(size());
+      return sphere(sizes.x);
     case 1:
-      return capsule(size(), size());
+      return capsule(sizes.x, sizes.y);
     case 2:
     case 3:
       return random_hull(random);

@@ -25,7 +25,7 @@ TEST(Distance, V39ClosedForms) {
 
 TEST(Distance, V40) {
   // Two segments that pass each other at the distance 1, as the axes of capsules.
-  const Distance d =
+  const SignedDistance d =
       distance(capsule(Real(0.25), 2), {}, capsule(Real(0.125), 2), at(1, 0.3, 0.2, turned({1, 0, 0}, 1)));
   EXPECT_NEAR(d.value, 1 - 0.375, 1e-7);
   EXPECT_NEAR(length(from_origin(d.on_a) - Vec3d{0.25, d.on_a.y, 0}), 0, 1e-7);
@@ -45,7 +45,7 @@ TEST(Distance, V40) {
     }
     const double truth = length(p - foot(low));
     if (p.y == 4) { EXPECT_NEAR(truth, 4.947517709, 1e-9); }
-    const Distance e = distance(ellipsoid({1, 2, 3}), {}, Pos{p.x, p.y, p.z});
+    const SignedDistance e = distance(ellipsoid({1, 2, 3}), {}, Pos{p.x, p.y, p.z});
     EXPECT_NEAR(e.value, truth, 1e-7);
     EXPECT_LT(length(from_origin(e.on_a) - foot(low)), 1e-5);
     EXPECT_NEAR(distance(ellipsoid({1, 2, 3}), {}, sphere(Real(0.25)), at(p.x, p.y, p.z)).value, truth - 0.25, 1e-6);
@@ -103,7 +103,7 @@ TEST(Distance, RandomBoxesAgainstEnumeration) {
     const double sat = oracle_separation({a, ta}, {b, tb});
     const double truth = sat > 0 ? enumerated({ea, pa}, {eb, pb}) : sat;
     (sat > 0 ? apart : overlapping)++;
-    const Distance d = distance(a, pa, b, pb);
+    const SignedDistance d = distance(a, pa, b, pb);
     EXPECT_NEAR(d.value, truth, 2e-6) << i;
     EXPECT_NEAR(length(from_origin(d.on_a) - from_origin(d.on_b)), std::abs(d.value), 1e-6) << i;
   }
@@ -139,10 +139,10 @@ TEST(Distance, ProvesItself) {
     const Shape a = random_convex(random), b = random_convex(random);
     const Transform ta{random.in_box(1.5), random.turn()}, tb{random.in_box(1.5), random.turn()};
     const Pose pa{{ta.p.x, ta.p.y, ta.p.z}, ta.q}, pb{{tb.p.x, tb.p.y, tb.p.z}, tb.q};
-    const Distance d = distance(a, pa, b, pb);
+    const SignedDistance d = distance(a, pa, b, pb);
     const Vec3d n = wide(d.normal);
     EXPECT_NEAR(apart_along({a, ta}, {b, tb}, n), d.value, 1e-6) << i;
-    const Distance swapped = distance(b, pb, a, pa);
+    const SignedDistance swapped = distance(b, pb, a, pa);
     EXPECT_NEAR(swapped.value, d.value, 1e-6 + 2e-4 * std::max(0.0, -d.value)) << i;
     if (d.value < 0) continue;
     const Vec3d on_a = from_origin(d.on_a), on_b = from_origin(d.on_b);
@@ -153,7 +153,7 @@ TEST(Distance, ProvesItself) {
 }
 
 TEST(Distance, FarFromTheOriginKeepsItsDigits) {
-  const Distance d = distance(cylinder(1, 2), at(1e8, 5, -1e8), sphere(1), at(1e8 + 3.25, 5, -1e8));
+  const SignedDistance d = distance(cylinder(1, 2), at(1e8, 5, -1e8), sphere(1), at(1e8 + 3.25, 5, -1e8));
   EXPECT_NEAR(d.value, 1.25, 1e-6);
   EXPECT_NEAR(d.on_a.x, 1e8 + 1, 1e-6);
 }
@@ -164,7 +164,7 @@ TEST(Distance, PointsInsideAndDegeneratePairs) {
   EXPECT_NEAR(distance(sphere(1), {}, Pos{0, 0, 0}).value, -1, 1e-12);
   EXPECT_NEAR(distance(sphere(1), {}, sphere(2), {}).value, -3, 1e-12);
   EXPECT_NEAR(distance(half_space(), at(0, 1, 0), Pos{0, 5, 0}).value, 4, 1e-12);
-  const Distance crossed = distance(capsule(1, 2), {}, capsule(1, 2), at(0, 0, 0, turned({1, 0, 0}, 1)));
+  const SignedDistance crossed = distance(capsule(1, 2), {}, capsule(1, 2), at(0, 0, 0, turned({1, 0, 0}, 1)));
   EXPECT_NEAR(crossed.value, -2, 1e-6);
   EXPECT_NEAR(std::abs(crossed.normal.x), 1, 1e-6);
 }

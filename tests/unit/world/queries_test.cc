@@ -148,6 +148,18 @@ TEST(Filter, DecidesWhoTouches) {
   EXPECT_TRUE(touch({.group = -1}, {.group = -2}));
 }
 
+TEST(Distance, BetweenBodies) {
+  World w(steady());
+  const Body floor = add_floor(w, 1), can = w.add({.shape = cylinder(1, 2), .at = {0, 4, 0}});
+  const Body ball = w.add({.shape = sphere(1), .at = {5, 4, 0}});
+  EXPECT_NEAR(w.distance(can, floor).value, 2, 1e-6);
+  EXPECT_NEAR(w.distance(can, ball).value, 3, 1e-6);
+  expect_near(w.distance(can, ball).on_b, Pos{4, 4, 0}, 1e-6);
+  expect_near(w.distance(can, ball).normal, Vec3{-1, 0, 0}, 1e-6);
+  w.remove(ball);
+  EXPECT_THROW(w.distance(can, ball), Error);
+}
+
 // Against every shape, turned and moved: the nearest hit with its place and normal.
 TEST(Ray, HitsEveryShape) {
   const struct {
