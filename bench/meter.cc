@@ -35,6 +35,7 @@ void Meter::after_step(const World& world) {
   points_.push_back(double(p.points));
   collision_.after_step(p.collision);
   contact_.after_step(p.contact);
+  correction_.after_step(p.correction);
   joint_.after_step(p.joint);
 
   const Quality q = world.quality();

@@ -43,6 +43,7 @@ class Meter {
   double points_median() const { return median(points_); }
   const PassMeter& collision() const { return collision_; }
   const PassMeter& contact() const { return contact_; }
+  const PassMeter& correction() const { return correction_; }
   const PassMeter& joint() const { return joint_; }
   const Energy& energy_at_start() const { return start_; }
   const Quality& worst() const { return worst_; }  // the largest of all steps' maxima
@@ -51,7 +52,7 @@ class Meter {
  private:
   Energy start_;
   std::vector<double> step_us_, awake_, contacts_, points_;
-  PassMeter collision_, contact_, joint_;
+  PassMeter collision_, contact_, correction_, joint_;
   std::vector<Stage> stage_sums_;
   Quality worst_, sum_;
 };

@@ -92,8 +92,10 @@ Json report(const Session& session, const Meter& meter) {
   const auto passes = [](const bench::PassMeter& m) {
     return Json{{"used", number(m.used())}, {"us", number(m.us_per_step())}, {"ns_per_visit", number(m.ns_per_visit())}};
   };
-  j["passes"] = {
-      {"collision", passes(meter.collision())}, {"contact", passes(meter.contact())}, {"joint", passes(meter.joint())}};
+  j["passes"] = {{"collision", passes(meter.collision())},
+                 {"contact", passes(meter.contact())},
+                 {"correction", passes(meter.correction())},
+                 {"joint", passes(meter.joint())}};
   j["energy"] = {{"start", number(meter.energy_at_start().total())}, {"end", number(world.energy().total())}};
   const Quality mean = meter.mean(), worst = meter.worst();
   j["quality"] = {{"penetration", {{"max", number(worst.penetration_max)}, {"mean", number(mean.penetration_mean)}}},

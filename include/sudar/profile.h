@@ -22,7 +22,8 @@ struct Profile {
   std::int64_t awake = 0;                 // dynamic bodies awake
   Passes collision;                       // of points; the time includes the search for contacts that approach
   Passes contact;                         // of points
-  Passes joint;                           // of joints, in both kinds of passes
+  Passes correction;                      // of points: overlap and gaps, split impulse
+  Passes joint;                           // of joints, in all kinds of passes
 };
 
 }

@@ -17,6 +17,7 @@ struct PointRow {
   Real tangent_mass;           // 1 / the larger eigenvalue of K in the tangent plane: one number for both directions,
                                // because unequal ones would bend the direction of friction
   Real slide_y, slide_z;       // tangent_mass · Kn: friction that answers a unit normal impulse
+  Real normal_response, tangent_response;  // their inverses
   Real target;                 // u_n that the contact passes aim at
   // used once a sub-step
   Real free_speed;             // min(0, depth/h): approach that closes the gap exactly is allowed
@@ -83,8 +84,10 @@ inline void prepare_masses(PointRow& p, const Mat3& to_frame, const SolverBody& 
   const Mat3 turn_a = a.inverse_inertia * transpose(arm_a), turn_b = b.inverse_inertia * transpose(arm_b);
   const Real inverse_mass = a.inverse_mass + b.inverse_mass;
   const Mat3 k = Mat3::diagonal({inverse_mass, inverse_mass, inverse_mass}) + arm_a * turn_a + arm_b * turn_b;
+  p.normal_response = k.c0.x;
   p.normal_mass = 1 / k.c0.x;
   p.tangent_mass = tangential_mass(k);
+  p.tangent_response = 1 / p.tangent_mass;
   p.slide_y = p.tangent_mass * k.c0.y;
   p.slide_z = p.tangent_mass * k.c0.z;
   p.arm_a = lanes(arm_a), p.arm_b = lanes(arm_b);
@@ -107,9 +110,9 @@ inline Vec3 answer(const PointRow& p, const Real4& u, Real target, Real relaxati
   impulse = next;
   return step;
 }
-// A step as the relative velocity that it answers, unrelaxed.
-inline Real size(const PointRow& p, const Vec3& step, Real relaxation) {
-  return max(abs(step.x) / (p.normal_mass * relaxation), max(abs(step.y), abs(step.z)) / p.tangent_mass);
+// A step as the relative velocity that it answers; `whole` undoes the relaxation.
+inline Real size(const PointRow& p, const Vec3& step, Real whole) {
+  return max(abs(step.x) * p.normal_response * whole, max(abs(step.y), abs(step.z)) * p.tangent_response);
 }
 
 inline void prepare_turning(TurnRow& t, const Mat3& frame, const SolverBody& a, const SolverBody& b) {

@@ -40,6 +40,7 @@ class SubStep {
     accelerate_all();
     warm_start();
     hold();
+    pull_back();
     if (set_.shock_propagation) propagate();
     store();
     move();
@@ -369,23 +370,33 @@ class SubStep {
   // --- contacts: thesis (3.19), restitution −1 … 0, that is 1 + e = ρ as a relaxation factor ---
 
   void hold() {
-    const bool pushing = needs_push();
-    const Real enough = Real(1e-6) * g_ * h_;
+    passes(report_.contact, Real(1e-6) * g_ * h_,
+           [&](JointSolve& j, Real) { return j.hold(memory_.bodies); },
+           [&](ManifoldRow& m, Real relaxation) {
+             return set_.friction_per_increment ? hold_as_written(m, relaxation) : hold(m, relaxation);
+           });
+  }
+
+  // Split impulse, thesis §3.7: overlap and gaps are removed in a pseudo velocity that moves bodies and is forgotten.
+  void pull_back() {
+    if (!needs_push()) return;
+    passes(report_.correction, Real(1e-4) * slop() / h_,
+           [&](JointSolve& j, Real) { return j.push(memory_.bodies); },
+           [&](ManifoldRow& m, Real) { return push(m); });
+  }
+
+  // At most N₂ passes over joints and contacts, until no visit mends more than `enough`, m/s; the share ρ rises to 1.
+  template <class VisitJoint, class VisitContact>
+  void passes(Profile::Passes& used, Real enough, VisitJoint visit_joint, VisitContact visit_contact) {
     for (int pass = 1; pass <= set_.contact_passes; ++pass) {
       const Real relaxation = Real(pass) / Real(set_.contact_passes);
       Real change = 0;
-      visit_joints([&](JointSolve& j) {
-        change = max(change, j.hold(memory_.bodies));
-        if (pushing) change = max(change, j.push(memory_.bodies));
-      });
-      const Stopwatch watch(report_.contact);
-      const auto visit = [&](ManifoldRow& m) {
-        change = max(change, set_.friction_per_increment ? hold_as_written(m, relaxation) : hold(m, relaxation));
-        if (pushing) change = max(change, push(m));
-      };
+      visit_joints([&](JointSolve& j) { change = max(change, visit_joint(j, relaxation)); });
+      const Stopwatch watch(used);
+      const auto visit = [&](ManifoldRow& m) { change = max(change, visit_contact(m, relaxation)); };
       if (pass % 2 == 1) for (std::size_t k = 0; k < manifolds_.size(); ++k) visit(manifolds_[k]);
       else for (std::size_t k = manifolds_.size(); k-- > 0;) visit(manifolds_[k]);
-      ++report_.contact.used;
+      ++used.used;
       if (change <= enough) break;
     }
   }
@@ -459,10 +470,11 @@ class SubStep {
   Real hold(ManifoldRow& m, Real relaxation) {
     Moving a = body(m.a).real, b = body(m.b).real;
     Real change = 0, load = 0;
+    const Real whole = 1 / relaxation;
     for (PointRow& p : m.rows()) {
       const Vec3 step = answer(p, relative_velocity(a, b, m, p), p.target, relaxation, m.friction, p.impulse);
       apply(a, b, m, p, step);
-      change = max(change, size(p, step, relaxation));
+      change = max(change, size(p, step, whole));
       load += p.impulse.x;
     }
     if (m.resists_turning()) change = max(change, radius(m) * resist_turning(m, a, b, load));
@@ -481,13 +493,12 @@ class SubStep {
     for (PointRow& p : m.rows()) {
       const Real impulse = increment_as_written(m, p, relaxation - 1);
       p.impulse.x += impulse;
-      change = max(change, impulse / p.normal_mass);
+      change = max(change, impulse * p.normal_response);
     }
     report_.contact.visits += m.count;
     return change;
   }
 
-  // Split impulse, thesis §3.7: the overlap is removed in a pseudo velocity that moves bodies and is forgotten.
   Real push(ManifoldRow& m) {
     Moving &a = body(m.a).push, &b = body(m.b).push;
     Real change = 0;
@@ -496,8 +507,9 @@ class SubStep {
       const Real left = p.push_target - relative_velocity(a, b, m, p)[0];
       const Real step = max(-p.push, left * p.normal_mass);
       apply(a, b, m, p, {step, 0, 0});
-      change = max(change, abs(step) / p.normal_mass);
+      change = max(change, abs(step) * p.normal_response);
       p.push += step;
+      ++report_.correction.visits;
     }
     return change;
   }

@@ -42,7 +42,7 @@ struct SolveReport {
   std::vector<Hit> hits;
   std::vector<std::uint32_t> broken;       // bodies that turned non-finite and were put back
   std::int64_t points = 0;                 // solved in this sub-step
-  Profile::Passes collision, contact, joint;
+  Profile::Passes collision, contact, correction, joint;
 };
 
 // Keeps only memory between sub-steps, no state.

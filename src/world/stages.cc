@@ -269,6 +269,7 @@ void World::Impl::step(double dt) {
   profile.points = report.points;
   profile.collision = report.collision;
   profile.contact = report.contact;
+  profile.correction = report.correction;
   profile.joint = report.joint;
   profile.awake = std::int64_t(awake.size());
 }
