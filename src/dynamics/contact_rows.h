@@ -48,6 +48,7 @@ struct ManifoldRow {
   Mat3 frame;                  // columns: normal from b to a, two tangents
   PairMaterial material;
   TurnRow turn;
+  bool a_answers, b_answers;   // impulses move it
   bool struck, owes;           // took part in a collision; joints took a part of its bounce
   std::array<PointRow, 4> points;
   bool resists_turning() const { return material.rolling > 0 || material.spinning > 0; }

@@ -48,6 +48,11 @@ class SubStep {
 
  private:
   SolverBody& body(std::uint32_t slot) { return memory_.bodies[slot]; }
+  // What does not answer impulses is not written: the next contact on the same floor need not wait for it.
+  void put(const ManifoldRow& m, const Moving& a, const Moving& b) {
+    if (m.a_answers) body(m.a).real = a;
+    if (m.b_answers) body(m.b).real = b;
+  }
 
   // The time of a scope counts as that of passes.
   class Stopwatch {
@@ -111,6 +116,7 @@ class SubStep {
     m.to_frame = lanes(to_frame);
     m.mass_a = lanes(m.frame * a.inverse_mass);
     m.mass_b = lanes(m.frame * b.inverse_mass);
+    m.a_answers = a.inverse_mass > 0, m.b_answers = b.inverse_mass > 0;
     if (m.resists_turning()) {
       prepare_turning(m.turn, m.frame, a, b);
       m.turn.impulse = to_frame * contacts_.impulse[c.slot].turning;
@@ -229,7 +235,7 @@ class SubStep {
       outcome = again(m.material.restitution, friction);
     }
     if (outcome.made_energy) outcome = again(0, friction);  // friction made energy: take the bounce away instead
-    body(m.a).real = a, body(m.b).real = b;
+    put(m, a, b);
     m.struck = true, m.owes = false;
   }
 
@@ -313,7 +319,7 @@ class SubStep {
       impulse = direction * (-(1 + restitution) * u.x / denominator);                         // thesis (3.17), (3.18)
     }
     apply(a, b, m, p, impulse);
-    body(m.a).real = a, body(m.b).real = b;
+    put(m, a, b);
     return impulse.x;
   }
 
@@ -380,7 +386,7 @@ class SubStep {
   // Split impulse, thesis §3.7: overlap and gaps are removed in a pseudo velocity that moves bodies and is forgotten.
   void pull_back() {
     if (!needs_push()) return;
-    passes(report_.correction, Real(1e-4) * slop() / h_,
+    passes(report_.correction, Real(1e-3) * slop() / h_,
            [&](JointSolve& j, Real) { return j.push(memory_.bodies); },
            [&](ManifoldRow& m, Real) { return push(m); });
   }
@@ -444,7 +450,7 @@ class SubStep {
         apply(a, b, m, p, p.impulse);
       }
       if (m.resists_turning()) apply_turning(a, b, m.turn, m.turn.impulse);
-      body(m.a).real = a, body(m.b).real = b;
+      put(m, a, b);
       report_.points += m.count;
     }
     for (JointSolve& j : joints_in_step_) {
@@ -478,7 +484,7 @@ class SubStep {
       load += p.impulse.x;
     }
     if (m.resists_turning()) change = max(change, radius(m) * resist_turning(m, a, b, load));
-    body(m.a).real = a, body(m.b).real = b;
+    put(m, a, b);
     report_.contact.visits += m.count;
     return change;
   }
