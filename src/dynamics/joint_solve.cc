@@ -56,7 +56,7 @@ void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, co
   coordinate = demands.angle ? unwind(coordinate, demands.value) : demands.value;
   const auto bound = [&](BoundedRow& row, Real impulse, Real low, Real high) {
     row.row = {demands.rate, on[a], on[b]};
-    row.present = true;
+    row.present = has_bounds_ = true;
     row.mass = 1 / response(row.row, row.row);
     row.impulse = clamp(impulse, low, high), row.low = low, row.high = high;
   };
@@ -90,6 +90,14 @@ void JointSolve::prepare_visits(const JointPull& pull) {
     for (std::size_t s = 0; s <= r; ++s) block_[r * 6 + s] = response(rows_[r], rows_[s]);
   }
   factor_small(block_.data(), 6, count_, sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12));
+}
+
+template <class Visit>
+void JointSolve::each_bound(Visit visit) {
+  if (!has_bounds_) return;
+  for (BoundedRow* row : {&drive_, &low_, &high_}) {
+    if (row->present) visit(*row);
+  }
 }
 
 template <class Apply>
@@ -152,14 +160,13 @@ void JointSolve::warm_start(SolverBodies& on) const {
 Real JointSolve::hold(SolverBodies& on) {
   Moving on_a = on[a].real, on_b = on[b].real;
   Real change = 0;
-  for (BoundedRow* row : {&drive_, &low_, &high_}) {
-    if (!row->present) continue;
-    const Real left = row->target - row->row.speed(on_a, on_b);
-    const Real total = clamp(row->impulse + left * row->mass, row->low, row->high);
-    row->row.apply(on_a, on_b, total - row->impulse);
-    change = max(change, abs(total - row->impulse) / row->mass);
-    row->impulse = total;
-  }
+  each_bound([&](BoundedRow& row) {
+    const Real left = row.target - row.row.speed(on_a, on_b);
+    const Real total = clamp(row.impulse + left * row.mass, row.low, row.high);
+    row.row.apply(on_a, on_b, total - row.impulse);
+    change = max(change, abs(total - row.impulse) / row.mass);
+    row.impulse = total;
+  });
   const Real block =
       solve_block(pull_.in_velocity ? pull_.rate : Real(0), on_a, on_b, [&](std::size_t r, Real impulse) {
         rows_[r].apply(on_a, on_b, impulse);
@@ -172,14 +179,14 @@ Real JointSolve::hold(SolverBodies& on) {
 Real JointSolve::push(SolverBodies& on) {
   Moving on_a = on[a].push, on_b = on[b].push;
   Real change = 0;
-  for (BoundedRow* row : {&low_, &high_}) {
-    if (!row->present || row->excess == 0) continue;
-    const Real left = pull_.rate * row->excess - row->row.speed(on_a, on_b);
-    const Real total = clamp(row->push + left * row->mass, row->low, row->high);
-    row->row.apply(on_a, on_b, total - row->push);
-    change = max(change, abs(total - row->push) / row->mass);
-    row->push = total;
-  }
+  each_bound([&](BoundedRow& row) {
+    if (row.excess == 0) return;
+    const Real left = pull_.rate * row.excess - row.row.speed(on_a, on_b);
+    const Real total = clamp(row.push + left * row.mass, row.low, row.high);
+    row.row.apply(on_a, on_b, total - row.push);
+    change = max(change, abs(total - row.push) / row.mass);
+    row.push = total;
+  });
   if (!pull_.in_velocity) {
     change = max(change, solve_block(pull_.rate, on_a, on_b,
                                      [&](std::size_t r, Real impulse) { rows_[r].apply(on_a, on_b, impulse); }));

@@ -54,19 +54,22 @@ class JointSolve {
   };
   void set_rows(const JointRows& demands, const SolverBodies& on);
   void prepare_coordinate(Joints& joints, const JointRows& demands, const SolverBodies& on, Real h);
+  template <class Visit>
+  void each_bound(Visit visit);
   template <class Apply>
   Real solve_block(Real pull, const Moving& on_a, const Moving& on_b, Apply apply);
 
+  // What every visit reads comes first.
+  bool has_bounds_ = false, near_limit_ = false;
   std::uint32_t joint_;
-  JointPull pull_{};
   int count_ = 0;  // rows of the block
-  std::array<PreparedRow, 6> rows_;
-  std::array<Real, 36> block_{};  // K, factored
+  JointPull pull_{};
   std::array<Real, 6> impulse_;
+  std::array<Real, 36> block_{};  // K, factored
+  std::array<PreparedRow, 6> rows_;
+  BoundedRow low_, high_, drive_;
   std::array<Real, 6> struck_{};  // of all impacts
   Real struck_limit_ = 0;
-  BoundedRow low_, high_, drive_;
-  bool near_limit_ = false;
 };
 
 }
