@@ -7,6 +7,7 @@
 #include "dynamics/free_joints.h"
 #include "dynamics/integrate.h"
 #include "dynamics/levels.h"
+#include "dynamics/pairing.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -14,6 +15,7 @@ struct Impulse2007Solver::Memory {
   SolverBodies bodies;
   std::vector<Wrench> loads;
   std::vector<ManifoldRow> manifolds;
+  std::vector<ContactPair> pairs;
   std::vector<JointSolve> joints;
   FreeJoints free_joints;
   std::vector<std::uint8_t> touched;  // bodies in contacts
@@ -34,6 +36,12 @@ class SubStep {
     gather();
     manifolds_.resize(in_.contacts.size());
     for (std::uint32_t k = 0; k < manifolds_.size(); ++k) prepare(k, manifolds_[k]);
+    constexpr std::uint32_t still = no_body;
+    const auto sides = [&](std::uint32_t k) {
+      const ManifoldRow& m = manifolds_[k];
+      return std::array{m.a_answers ? m.a : still, m.b_answers ? m.b : still};
+    };
+    pair_contacts(std::uint32_t(manifolds_.size()), still, sides, memory_.pairs);
     prepare_joints();
     collide();
     aim();
@@ -376,32 +384,38 @@ class SubStep {
   // --- contacts: thesis (3.19), restitution −1 … 0, that is 1 + e = ρ as a relaxation factor ---
 
   void hold() {
-    passes(report_.contact, Real(1e-6) * g_ * h_,
-           [&](JointSolve& j, Real) { return j.hold(memory_.bodies); },
-           [&](ManifoldRow& m, Real relaxation) {
-             return set_.friction_per_increment ? hold_as_written(m, relaxation) : hold(m, relaxation);
+    passes(report_.contact, Real(1e-6) * g_ * h_, [&](JointSolve& j) { return j.hold(memory_.bodies); },
+           [&](ManifoldRow& m, ManifoldRow* other, Real relaxation) {
+             if (!set_.friction_per_increment) return hold(m, other, relaxation);
+             return max(hold_as_written(m, relaxation), other != nullptr ? hold_as_written(*other, relaxation) : Real(0));
            });
   }
 
   // Split impulse, thesis §3.7: overlap and gaps are removed in a pseudo velocity that moves bodies and is forgotten.
   void pull_back() {
     if (!needs_push()) return;
-    passes(report_.correction, Real(1e-3) * slop() / h_,
-           [&](JointSolve& j, Real) { return j.push(memory_.bodies); },
-           [&](ManifoldRow& m, Real) { return push(m); });
+    passes(report_.correction, Real(1e-3) * slop() / h_, [&](JointSolve& j) { return j.push(memory_.bodies); },
+           [&](ManifoldRow& m, ManifoldRow* other, Real) {
+             return max(push(m), other != nullptr ? push(*other) : Real(0));
+           });
   }
 
-  // At most N₂ passes over joints and contacts, until no visit mends more than `enough`, m/s; the share ρ rises to 1.
-  template <class VisitJoint, class VisitContact>
-  void passes(Profile::Passes& used, Real enough, VisitJoint visit_joint, VisitContact visit_contact) {
+  // At most N₂ passes over joints and contacts, there and back, until no visit mends more than `enough`, m/s; the share ρ
+  // rises to 1.
+  template <class VisitJoint, class VisitContacts>
+  void passes(Profile::Passes& used, Real enough, VisitJoint visit_joint, VisitContacts visit_contacts) {
+    const std::vector<ContactPair>& pairs = memory_.pairs;
     for (int pass = 1; pass <= set_.contact_passes; ++pass) {
       const Real relaxation = Real(pass) / Real(set_.contact_passes);
       Real change = 0;
-      visit_joints([&](JointSolve& j) { change = max(change, visit_joint(j, relaxation)); });
+      visit_joints([&](JointSolve& j) { change = max(change, visit_joint(j)); });
       const Stopwatch watch(used);
-      const auto visit = [&](ManifoldRow& m) { change = max(change, visit_contact(m, relaxation)); };
-      if (pass % 2 == 1) for (std::size_t k = 0; k < manifolds_.size(); ++k) visit(manifolds_[k]);
-      else for (std::size_t k = manifolds_.size(); k-- > 0;) visit(manifolds_[k]);
+      const auto visit = [&](const ContactPair& p) {
+        ManifoldRow* other = p.second == no_contact ? nullptr : &manifolds_[p.second];
+        change = max(change, visit_contacts(manifolds_[p.first], other, relaxation));
+      };
+      if (pass % 2 == 1) std::for_each(pairs.begin(), pairs.end(), visit);
+      else std::for_each(pairs.rbegin(), pairs.rend(), visit);
       ++used.used;
       if (change <= enough) break;
     }
@@ -425,7 +439,7 @@ class SubStep {
       for (ManifoldRow* m : rows) freeze_lower(*m, level);
       for (int pass = 0; pass < passes; ++pass) {
         for (ManifoldRow* m : rows) {
-          hold(*m, 1);
+          hold(*m, nullptr, 1);
           push(*m);
         }
       }
@@ -472,21 +486,47 @@ class SubStep {
     return false;
   }
 
-  // Returns the largest change of a relative velocity, unrelaxed, m/s.
-  Real hold(ManifoldRow& m, Real relaxation) {
-    Moving a = body(m.a).real, b = body(m.b).real;
-    Real change = 0, load = 0;
-    const Real whole = 1 / relaxation;
-    for (PointRow& p : m.rows()) {
-      const Vec3 step = answer(p, relative_velocity(a, b, m, p), p.target, relaxation, m.friction, p.impulse);
-      apply(a, b, m, p, step);
-      change = max(change, size(p, step, whole));
-      load += p.impulse.x;
+  // One visit of a contact, its bodies in registers.
+  class Holding {
+   public:
+    Holding(SubStep& s, ManifoldRow& m, Real relaxation)
+        : s_(s), m_(m), relaxation_(relaxation), whole_(1 / relaxation), a_(s.body(m.a).real), b_(s.body(m.b).real) {}
+    [[gnu::always_inline]] void point(std::size_t k) {
+      PointRow& p = m_.points[k];
+      const Vec3 step = answer(p, relative_velocity(a_, b_, m_, p), p.target, relaxation_, m_.friction, p.impulse);
+      apply(a_, b_, m_, p, step);
+      change_ = max(change_, size(p, step, whole_));
+      load_ += p.impulse.x;
     }
-    if (m.resists_turning()) change = max(change, radius(m) * resist_turning(m, a, b, load));
-    put(m, a, b);
-    report_.contact.visits += m.count;
-    return change;
+    Real end() {
+      if (m_.resists_turning()) change_ = max(change_, radius(m_) * resist_turning(m_, a_, b_, load_));
+      s_.put(m_, a_, b_);
+      s_.report_.contact.visits += m_.count;
+      return change_;
+    }
+
+   private:
+    SubStep& s_;
+    ManifoldRow& m_;
+    Real relaxation_, whole_;
+    Moving a_, b_;
+    Real change_ = 0, load_ = 0;
+  };
+
+  // Visits a contact, or two that share no body, point by point in turn: the processor then works on both at once.
+  // Returns the largest change of a relative velocity, unrelaxed, m/s.
+  Real hold(ManifoldRow& m, ManifoldRow* other, Real relaxation) {
+    Holding one(*this, m, relaxation);
+    if (other == nullptr) {
+      for (std::size_t k = 0; k < m.count; ++k) one.point(k);
+      return one.end();
+    }
+    Holding two(*this, *other, relaxation);
+    const std::size_t common = min(m.count, other->count);
+    for (std::size_t k = 0; k < common; ++k) one.point(k), two.point(k);
+    for (std::size_t k = common; k < m.count; ++k) one.point(k);
+    for (std::size_t k = common; k < other->count; ++k) two.point(k);
+    return max(one.end(), two.end());
   }
 
   // An arm of the contact, to compare a turning with a speed, m.
