@@ -7,7 +7,7 @@
 #include "dynamics/free_joints.h"
 #include "dynamics/integrate.h"
 #include "dynamics/levels.h"
-#include "dynamics/pairing.h"
+#include "dynamics/grouping.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -15,7 +15,7 @@ struct Impulse2007Solver::Memory {
   SolverBodies bodies;
   std::vector<Wrench> loads;
   std::vector<ManifoldRow> manifolds;
-  std::vector<ContactPair> pairs;
+  std::vector<ContactGroup> groups;
   std::vector<JointSolve> joints;
   FreeJoints free_joints;
   std::vector<std::uint8_t> touched;  // bodies in contacts
@@ -41,7 +41,7 @@ class SubStep {
       const ManifoldRow& m = manifolds_[k];
       return std::array{m.a_answers ? m.a : still, m.b_answers ? m.b : still};
     };
-    pair_contacts(std::uint32_t(manifolds_.size()), still, sides, memory_.pairs);
+    group_contacts(std::uint32_t(manifolds_.size()), still, sides, memory_.groups);
     prepare_joints();
     collide();
     aim();
@@ -385,9 +385,9 @@ class SubStep {
 
   void hold() {
     passes(report_.contact, Real(1e-6) * g_ * h_, [&](JointSolve& j) { return j.hold(memory_.bodies); },
-           [&](ManifoldRow& m, ManifoldRow* other, Real relaxation) {
-             if (!set_.friction_per_increment) return hold(m, other, relaxation);
-             return max(hold_as_written(m, relaxation), other != nullptr ? hold_as_written(*other, relaxation) : Real(0));
+           [&](const ContactGroup& group, Real relaxation) {
+             if (!set_.friction_per_increment) return hold(group, relaxation);
+             return each(group, [&](ManifoldRow& m) { return hold_as_written(m, relaxation); });
            });
   }
 
@@ -395,27 +395,28 @@ class SubStep {
   void pull_back() {
     if (!needs_push()) return;
     passes(report_.correction, Real(1e-3) * slop() / h_, [&](JointSolve& j) { return j.push(memory_.bodies); },
-           [&](ManifoldRow& m, ManifoldRow* other, Real) {
-             return max(push(m), other != nullptr ? push(*other) : Real(0));
-           });
+           [&](const ContactGroup& group, Real) { return each(group, [&](ManifoldRow& m) { return push(m); }); });
+  }
+  template <class Visit>
+  Real each(const ContactGroup& group, Visit visit) {
+    Real change = 0;
+    for (std::size_t n = 0; n < group.count; ++n) change = max(change, visit(manifolds_[group.members[n]]));
+    return change;
   }
 
   // At most N₂ passes over joints and contacts, there and back, until no visit mends more than `enough`, m/s; the share ρ
   // rises to 1.
   template <class VisitJoint, class VisitContacts>
   void passes(Profile::Passes& used, Real enough, VisitJoint visit_joint, VisitContacts visit_contacts) {
-    const std::vector<ContactPair>& pairs = memory_.pairs;
+    const std::vector<ContactGroup>& groups = memory_.groups;
     for (int pass = 1; pass <= set_.contact_passes; ++pass) {
       const Real relaxation = Real(pass) / Real(set_.contact_passes);
       Real change = 0;
       visit_joints([&](JointSolve& j) { change = max(change, visit_joint(j)); });
       const Stopwatch watch(used);
-      const auto visit = [&](const ContactPair& p) {
-        ManifoldRow* other = p.second == no_contact ? nullptr : &manifolds_[p.second];
-        change = max(change, visit_contacts(manifolds_[p.first], other, relaxation));
-      };
-      if (pass % 2 == 1) std::for_each(pairs.begin(), pairs.end(), visit);
-      else std::for_each(pairs.rbegin(), pairs.rend(), visit);
+      const auto visit = [&](const ContactGroup& g) { change = max(change, visit_contacts(g, relaxation)); };
+      if (pass % 2 == 1) std::for_each(groups.begin(), groups.end(), visit);
+      else std::for_each(groups.rbegin(), groups.rend(), visit);
       ++used.used;
       if (change <= enough) break;
     }
@@ -439,7 +440,7 @@ class SubStep {
       for (ManifoldRow* m : rows) freeze_lower(*m, level);
       for (int pass = 0; pass < passes; ++pass) {
         for (ManifoldRow* m : rows) {
-          hold(*m, nullptr, 1);
+          hold_together(1, *m);
           push(*m);
         }
       }
@@ -498,6 +499,7 @@ class SubStep {
       change_ = max(change_, size(p, step, whole_));
       load_ += p.impulse.x;
     }
+    std::size_t count() const { return m_.count; }
     Real end() {
       if (m_.resists_turning()) change_ = max(change_, radius(m_) * resist_turning(m_, a_, b_, load_));
       s_.put(m_, a_, b_);
@@ -513,20 +515,29 @@ class SubStep {
     Real change_ = 0, load_ = 0;
   };
 
-  // Visits a contact, or two that share no body, point by point in turn: the processor then works on both at once.
-  // Returns the largest change of a relative velocity, unrelaxed, m/s.
-  Real hold(ManifoldRow& m, ManifoldRow* other, Real relaxation) {
-    Holding one(*this, m, relaxation);
-    if (other == nullptr) {
-      for (std::size_t k = 0; k < m.count; ++k) one.point(k);
-      return one.end();
+  // Visits a group point by point in turn: the processor then works on all of its contacts at once. Returns the largest
+  // change of a relative velocity, unrelaxed, m/s.
+  Real hold(const ContactGroup& group, Real relaxation) {
+    const auto contact = [&](std::size_t n) -> ManifoldRow& { return manifolds_[group.members[n]]; };
+    switch (group.count) {
+      case 1: return hold_together(relaxation, contact(0));
+      case 2: return hold_together(relaxation, contact(0), contact(1));
+      case 3: return hold_together(relaxation, contact(0), contact(1), contact(2));
+      default: return hold_together(relaxation, contact(0), contact(1), contact(2), contact(3));
     }
-    Holding two(*this, *other, relaxation);
-    const std::size_t common = min(m.count, other->count);
-    for (std::size_t k = 0; k < common; ++k) one.point(k), two.point(k);
-    for (std::size_t k = common; k < m.count; ++k) one.point(k);
-    for (std::size_t k = common; k < other->count; ++k) two.point(k);
-    return max(one.end(), two.end());
+  }
+  template <class... Contacts>
+  Real hold_together(Real relaxation, Contacts&... contacts) {
+    std::array all{Holding(*this, contacts, relaxation)...};
+    const std::uint32_t most = std::max({contacts.count...});
+    for (std::size_t k = 0; k < most; ++k) {
+      for (Holding& h : all) {
+        if (k < h.count()) h.point(k);
+      }
+    }
+    Real change = 0;
+    for (Holding& h : all) change = max(change, h.end());
+    return change;
   }
 
   // An arm of the contact, to compare a turning with a speed, m.
