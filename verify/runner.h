@@ -7,7 +7,7 @@
 
 namespace sudar::verify {
 
-// The 63 cases in the order of their numbers, and the extra ones after them.
+// The 63 cases of the catalogue by groups, and the extra ones after them.
 const std::vector<Case>& all_cases();
 const Case& find_case(std::string_view id);  // throws Error
 

@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""Runs the real command, as a user does: `sudar verify --quick --json --report DIR`, --list, --set and what it refuses.
+
+    tests/verify/command_test.py PROGRAM
+"""
+
+import html.parser
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+program = sys.argv[1]
+known = set(re.findall(r'"(V\w+)"', (pathlib.Path(__file__).parent / "known_failures.h").read_text()))
+KEYS = ["id", "name", "solver", "quantity", "unit", "parameters", "exact", "got", "error", "tolerance", "pass", "seconds"]
+failures = []
+
+
+def expect(true, message):
+    if not true:
+        failures.append(message)
+
+
+def run(*arguments):
+    return subprocess.run([program, "verify", *arguments], capture_output=True, text=True)
+
+
+class Page(html.parser.HTMLParser):
+    """Where a page leads to, and whether every element is closed."""
+
+    VOID = {"meta", "link", "circle", "line", "rect", "polygon", "path"}
+    OPTIONAL = {"th", "td", "p"}
+
+    def __init__(self, text):
+        super().__init__()
+        self.links, self.open = [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        self.links += [value for name, value in attributes if name == "href"]
+        if tag not in self.VOID | self.OPTIONAL:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        if tag not in self.VOID | self.OPTIONAL:
+            expect(self.open and self.open.pop() == tag, f"</{tag}> without its beginning")
+
+
+def catalogue():
+    listed = run("--full", "--list")
+    ids = re.findall(r"^(V\w+) ", listed.stdout, re.M)
+    expect(listed.returncode == 0, "--list fails")
+    expect(len(ids) == len(set(ids)) == 63, f"{len(ids)} cases are listed, not 63")
+
+
+def results(folder):
+    done = run("--quick", "--json", "--report", str(folder))
+    entries = json.loads(done.stdout)
+    expect(all(list(e) == KEYS for e in entries), "an entry has other keys than documented")
+    expect(done.returncode == (0 if all(e["pass"] for e in entries) else 1), f"exit code {done.returncode}")
+    cannot = {e["id"] for e in entries if e["quantity"].startswith("needs ")}
+    failed = {e["id"] for e in entries if not e["pass"]} - cannot
+    expect(failed == known, f"other failures than known: {sorted(failed ^ known)}")
+
+
+def pages(folder):
+    expect((folder / "index.html").exists(), "no index")
+    for file in folder.glob("*.html"):
+        text = file.read_text()
+        page = Page(text)
+        expect(not page.open, f"{file.name}: {page.open} stay open")
+        expect("nan" not in re.sub(r"[a-z]nan|nan[a-z]", "", text), f"{file.name} draws what is no number")
+        for link in page.links:
+            expect((folder / link).exists(), f"{file.name} leads to {link}, which is not there")
+
+
+def laws():
+    one = json.loads(run("V07", "--set", "angle=45", "--json").stdout)
+    expect({e["parameters"]["angle"] for e in one} == {45}, "--set does not reach the case")
+    for bad in (["V99"], ["V07", "--set", "colour=1"], ["V07", "--set", "angle=500"], ["--quick", "--full"]):
+        refused = run(*bad)
+        expect(refused.returncode != 0 and refused.stderr + refused.stdout, f"{bad} is not refused")
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    catalogue()
+    results(pathlib.Path(temporary) / "report")
+    pages(pathlib.Path(temporary) / "report")
+    laws()
+print("\n".join(failures) or "sudar verify does what it says")
+sys.exit(1 if failures else 0)
