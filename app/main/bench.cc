@@ -5,6 +5,7 @@
 
 #include "bench/thesis.h"
 #include "main/command.h"
+#include "main/picture_bench.h"
 #include "main/progress.h"
 #include "main/report.h"
 
@@ -16,8 +17,8 @@ namespace {
 
 struct BenchOptions {
   std::vector<std::string> scenes;
-  bool thesis = false, json = false;
-  int repeat = 1;
+  bool thesis = false, picture = false, json = false;
+  int repeat = 1, bodies = 2000;
 };
 
 std::vector<ThesisCase> chosen_cases(const BenchOptions& o, const Catalogue& catalogue) {
@@ -42,8 +43,34 @@ Json with_prototype(const ThesisCase& c, const ThesisResult& r) {
   return j;
 }
 
+int bench_picture(const BenchOptions& o) {
+  const PictureCost c = measure_pictures(o.bodies, 1280, 720);
+  if (o.json) {
+    const auto picture = [](const PictureCost::Picture& p) { return Json{{"ms", p.ms}, {"cpu_ms", p.cpu_ms}}; };
+    const Json j = {{"driver", c.driver},
+                    {"width", c.width},
+                    {"height", c.height},
+                    {"bodies", c.bodies},
+                    {"plain", picture(c.plain)},
+                    {"fine", picture(c.fine)},
+                    {"step_us", {{"alone", c.alone_us}, {"beside", c.beside_us}}},
+                    {"step_clock_us", {{"alone", c.alone_clock_us}, {"beside", c.beside_clock_us}}}};
+    std::cout << j.dump(2) << '\n';
+    return 0;
+  }
+  std::printf("%zu bodies with shadows, %d × %d, %s\n", c.bodies, c.width, c.height, c.driver.c_str());
+  const auto line = [](const char* name, const PictureCost::Picture& p) {
+    std::printf("picture, %-6s %6.1f ms (%.1f ms of all cores): %.1f a second\n", name, p.ms, p.cpu_ms, 1e3 / p.ms);
+  };
+  line("plain", c.plain), line("fine", c.fine);
+  std::printf("step alone %.0f µs (%.0f µs by the clock), beside pictures %.0f µs (%.0f µs by the clock)\n", c.alone_us,
+              c.alone_clock_us, c.beside_us, c.beside_clock_us);
+  return 0;
+}
+
 int bench(const BenchOptions& o, const Catalogue& catalogue) {
-  if (!o.thesis) throw Error("bench", "say what to measure: --thesis");
+  if (o.picture) return bench_picture(o);
+  if (!o.thesis) throw Error("bench", "say what to measure: --thesis or --picture");
   const std::vector<ThesisCase> cases = chosen_cases(o, catalogue);
   const int each = o.repeat * (warm_up_steps + measured_steps);
   Progress progress("bench", double(each) * double(cases.size()));
@@ -83,6 +110,8 @@ void add_bench(CLI::App& app, Action& chosen) {
   const auto o = std::make_shared<BenchOptions>();
   sub->add_option("scenes", o->scenes, "only these");
   sub->add_flag("--thesis", o->thesis, "the scenes whose speed the thesis's prototype is known for");
+  sub->add_flag("--picture", o->picture, "a picture of many bodies, and the physics thread beside it");
+  sub->add_option("--bodies", o->bodies, "of the picture")->check(CLI::Range(1, 100000))->capture_default_str();
   sub->add_option("--repeat", o->repeat, "runs of each scene; the fastest counts")->check(CLI::Range(1, 1000));
   sub->add_flag("--json", o->json, "the results as JSON (docs/json.md)");
   sub->callback([&chosen, o] { chosen = [o](const Catalogue& c) { return bench(*o, c); }; });

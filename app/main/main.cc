@@ -5,6 +5,7 @@
 
 #include "main/command.h"
 #include "main/scene_options.h"
+#include "view/renderer.h"
 #ifdef SUDAR_WINDOW
 #include "ui/app.h"
 #endif
@@ -17,7 +18,7 @@ namespace {
 constexpr int bad_usage = 2;
 
 struct WindowOptions {
-  std::string scene, size = "1280x720", status;
+  std::string scene, size = "1280x720", quality = "auto", status;
 };
 
 // The window, or why there is none.
@@ -29,7 +30,9 @@ std::optional<int> open_window(const Catalogue& catalogue, const WindowOptions& 
   }
   const auto [width, height] = parse_size(o.size);
   try {
-    return ui::run_window(catalogue, {o.scene, width, height, o.status});
+    std::optional<view::Finish> quality;
+    if (o.quality != "auto") quality = o.quality == "fine" ? view::Finish::fine : view::Finish::plain;
+    return ui::run_window(catalogue, {o.scene, width, height, quality, o.status});
   } catch (const Error& e) {
     if (e.field != "window") throw;
     reason = std::string("No ") + e.what();
@@ -53,6 +56,8 @@ int start(int argc, char** argv) {
       "scene", window.scene,
       "without a sub-command: open the window on this scenario; without a display draw it, or all, into out/");
   app.add_option("--size", window.size, "WIDTHxHEIGHT of the window")->capture_default_str();
+  app.add_option("--quality", window.quality, "of the window's picture; auto: as the machine can")
+      ->check(CLI::IsMember({"auto", "plain", "fine"}));
   app.add_option("--status", window.status, "a file in which the window tells its state as JSON, for scripts");
   app.require_subcommand(0, 1);
   add_list(app, chosen);

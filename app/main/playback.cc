@@ -83,11 +83,11 @@ std::unique_ptr<Playback> open_playback(const SceneOptions& o, const Catalogue& 
 
 std::unique_ptr<Playback> play(Session& session) { return std::make_unique<Running>(session); }
 
-Scene scene_of(const Playback& p) {
+Scene scene_of(const Playback& p, const Detail& detail) {
   // Every scenario has colours of its own: begin where its name says (FNV-1a, Fowler, Noll and Vo).
   std::uint32_t hash = 2166136261u;
   for (const char c : p.title()) hash = (hash ^ std::uint8_t(c)) * 16777619u;
-  return make_scene(p.world(), hash >> 9);
+  return make_scene(p.world(), detail, hash >> 9);
 }
 
 PngText provenance(const Playback& p) {

@@ -28,7 +28,7 @@ class Playback {
 };
 
 // The picture of it as it is now.
-view::Scene scene_of(const Playback&);
+view::Scene scene_of(const Playback&, const view::Detail& = {});
 
 // A recording where there is a file of that name, else a scenario.
 std::unique_ptr<Playback> open_playback(const SceneOptions&, const Catalogue&);

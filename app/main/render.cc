@@ -56,7 +56,7 @@ void draw_picture(const RenderOptions& o, Playback& p, int width, int height) {
   if (p.world().time() < at - p.world().config().dt) {
     throw Error("--at", "the recording ends at " + std::to_string(p.world().time()) + " s");
   }
-  const Scene scene = scene_of(p);
+  const Scene scene = scene_of(p, needed_for(o.style));
   Offscreen offscreen;
   write_png(o.out,
             offscreen.picture(scene, choose_camera(o.camera, p, scene, double(width) / height), o.style, width, height),
@@ -68,7 +68,7 @@ void draw_picture(const RenderOptions& o, Playback& p, int width, int height) {
 void draw_movie(const RenderOptions& o, Playback& p, int width, int height) {
   const double start = o.at.value_or(0), length = o.scene.seconds.value_or(p.seconds() - start);
   p.advance_to(start);
-  Scene before = scene_of(p), after = before;
+  Scene before = scene_of(p, needed_for(o.style)), after = before;
   double before_time = p.world().time(), after_time = before_time;
   const Camera camera = choose_camera(o.camera, p, before, double(width) / height);
   Offscreen offscreen;
@@ -82,7 +82,7 @@ void draw_movie(const RenderOptions& o, Playback& p, int width, int height) {
     while (after_time < time - 1e-9 && !p.over()) {
       before = std::move(after), before_time = after_time;
       p.step();
-      after = scene_of(p), after_time = p.world().time();
+      after = scene_of(p, needed_for(o.style)), after_time = p.world().time();
     }
     const double share =
         after_time > before_time ? std::clamp((time - before_time) / (after_time - before_time), 0.0, 1.0) : 1;
@@ -123,6 +123,15 @@ void add_render(CLI::App& app, Action& chosen) {
       ->capture_default_str();
   sub->add_flag("--contacts", o->style.contacts, "show contact points and normals: green sticks, red slips");
   sub->add_flag("--joints", o->style.joints, "show joints");
+  sub->add_flag("--forces", o->style.forces, "show weights and the forces of contacts and joints");
+  sub->add_flag("--boxes", o->style.boxes, "show the boxes that the broad phase compares");
+  sub->add_flag("--cells", o->style.cells, "show the cells or the tree of the broad phase");
+  sub->add_option("--colour", o->style.colouring, "bodies' colours: body, speed, island or sleep")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, Colouring>{{"body", Colouring::body},
+                                           {"speed", Colouring::speed},
+                                           {"island", Colouring::island},
+                                           {"sleep", Colouring::sleep}}));
   sub->add_flag("--axes", o->style.axes, "show the bodies' axes");
   sub->add_flag("--wireframe", o->style.wireframe, "edges only");
   sub->add_flag("--sleep", o->style.sleep, "show bodies asleep pale");

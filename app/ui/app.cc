@@ -3,9 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <future>
 
-#include "main/files.h"
 #include "ui/filming.h"
 #include "ui/gui.h"
 #include "ui/hand.h"
@@ -23,7 +21,10 @@ namespace {
 class App {
  public:
   App(const Catalogue& catalogue, const Options& options)
-      : window_(options.width, options.height, "Sudar"), controls_(catalogue, simulation_), status_(options.status) {}
+      : window_(options.width, options.height, "Sudar"),
+        controls_(catalogue, simulation_),
+        status_(options.status),
+        fixed_quality_(options.quality) {}
 
   void loop() {
     Clock::time_point last = Clock::now();
@@ -40,6 +41,7 @@ class App {
       frame_ += 0.1 * (passed - frame_);
       serve();
     }
+    if (movie_) movie_->finish();
   }
   void start(const ScenarioEntry& entry) { controls_.start(entry); }
 
@@ -58,10 +60,7 @@ class App {
       }
       const Scene scene = marked(controls_.scene);
       Style style = controls_.style;
-      adapt();
-      style.samples = quality_ > 0 ? 2 : 1;
-      style.occlusion = quality_ > 0;
-      style.shadow_texels = quality_ > 0 ? 2048 : 1024;
+      style.set(quality());
       renderer_.draw(scene, controls_.camera.camera(), style, canvas_->target());
       canvas_->show(area_.x, window_.height() - area_.y - area_.height);
     }
@@ -75,14 +74,15 @@ class App {
     if (event) hand_.take(*event, area_);
   }
 
-  // A beautiful picture where that is quick, a plain one where it is not. Each change is given time to be judged, and
-  // the two limits lie far apart, so that it does not flicker.
-  void adapt() {
-    if (++judged_ < 30) return;
-    const int wanted = frame_ > 0.045 ? 0 : frame_ < 0.02 ? 1 : quality_;
-    if (wanted == quality_) return;
-    quality_ = wanted;
-    judged_ = wanted == 0 ? -600 : 0;
+  // A beautiful picture where that is quick, or where nothing moves and nobody waits for the next; else a plain one.
+  // Each change is given time to be judged, and the two limits lie far apart, so that it does not flicker.
+  Finish quality() {
+    if (fixed_quality_) return *fixed_quality_;
+    if (controls_.view().paused && events_left_ == 0) return Finish::fine;
+    if (++judged_ < 30) return quality_;
+    const Finish wanted = frame_ > 0.045 ? Finish::plain : frame_ < 0.02 ? Finish::fine : quality_;
+    if (wanted != quality_) judged_ = wanted == Finish::plain ? -600 : 0;
+    return quality_ = wanted;
   }
 
   // The scene with the selected body and the spring that pulls it.
@@ -99,47 +99,27 @@ class App {
   void serve() {
     if (std::exchange(controls_.wants_fullscreen, false)) window_.toggle_fullscreen();
     if (canvas_ && controls_.moment()) {
-      try {
-        if (std::exchange(controls_.wants_screenshot, false)) screenshot();
-        if (std::exchange(controls_.wants_movie, false)) start_or_finish_movie();
-        film();
-      } catch (const std::exception& e) { simulation_.say(e.what()); }
+      const std::string scene = controls_.moment()->entry->name;
+      if (std::exchange(controls_.wants_screenshot, false)) take_picture(background_, simulation_, scene, *canvas_);
+      if (std::exchange(controls_.wants_movie, false)) start_or_finish_movie(scene);
+      film();
     }
-    if (controls_.wants_quit) {
-      if (movie_) start_or_finish_movie();
-      window_.close();
-    }
+    if (controls_.wants_quit) window_.close();
     const Moment* m = controls_.moment();
     if (m && m->run != titled_) window_.set_title(std::string("Sudar: ") + m->entry->place), titled_ = m->run;
     status_.write(controls_, 1 / frame_);
   }
 
-  // The run's own account, taken between two steps: at most one step ahead of the picture.
-  PngText account() {
-    const auto promise = std::make_shared<std::promise<PngText>>();
-    simulation_.post([promise](Run& r) { promise->set_value(app::provenance(r.playback())); });
-    return promise->get_future().get();
-  }
-
-  // The picture without the panels, as it is shown.
-  void screenshot() {
-    const std::string file = app::unused_name(controls_.moment()->entry->name, ".png");
-    write_png(file, canvas_->read(), account());
-    simulation_.say("Picture: " + file);
-  }
-
-  void start_or_finish_movie() {
-    if (controls_.filming) {
-      controls_.filming = false;
-      return simulation_.say(std::exchange(movie_, nullptr)->finish());
-    }
-    movie_ = std::make_unique<Filming>(app::unused_name(controls_.moment()->entry->name, ".mp4"), *canvas_, account());
-    controls_.filming = true;
+  void start_or_finish_movie(const std::string& scene) {
+    if (movie_) return movie_->finish(), movie_.reset();
+    movie_ = std::make_unique<Filming>(background_, simulation_, scene, *canvas_);
   }
 
   void film() {
-    if (movie_ && !movie_->fits(*canvas_)) return start_or_finish_movie();  // the window became smaller
+    if (movie_ && movie_->failed()) movie_.reset();
+    if (movie_ && !movie_->fits(*canvas_)) movie_->finish(), movie_.reset();  // the window became smaller
     if (movie_) movie_->add(*canvas_);
+    controls_.filming = movie_ != nullptr;
   }
 
   Body pick(int x, int y) {
@@ -151,19 +131,22 @@ class App {
     return controls_.scene.shapes[i.shape].kind() == ShapeKind::half_space ? Body{} : i.body;
   }
 
-  Window window_;  // first: all that draws needs its context
+  Simulation simulation_;  // first: its thread goes before those that draw
+  Window window_;          // all that draws needs its context
   Gui gui_{window_};
   Renderer renderer_;
   std::optional<Canvas> canvas_;
+  Background background_;  // ends before the simulation, to which it talks
   std::unique_ptr<Filming> movie_;
-  Simulation simulation_;
   Controls controls_;
   Panels panels_{controls_};
   Hand hand_{controls_, [this](int x, int y) { return pick(x, y); }};
   StatusFile status_;
   Area area_;
-  double frame_ = 0.03;           // s, smoothed
-  int quality_ = 0, judged_ = 0;  // of the picture, 0 or 1; pictures since it changed
+  double frame_ = 0.03;  // s, smoothed
+  std::optional<Finish> fixed_quality_;
+  Finish quality_ = Finish::plain;
+  int judged_ = 0;  // pictures since it changed
   int events_left_ = 0;
   std::int64_t titled_ = 0;
 };

@@ -5,11 +5,14 @@
 
 #include <string>
 
+#include "view/renderer.h"
+
 namespace sudar::ui {
 
 struct Options {
   std::string scene;  // empty: the wall, else the first that there is
   int width = 1280, height = 720;
+  std::optional<view::Finish> quality;  // of the picture; none: as the machine can
   std::string status;  // a file that always tells the state as JSON, for tests and scripts; empty: none
 };
 

@@ -79,4 +79,13 @@ Ray CameraControl::ray(double x, double y, double width, double height) const {
   return {camera_.eye, convert<Real>(d), convert<Real>(-f.back)};
 }
 
+std::optional<CameraControl::Seen> CameraControl::project(const Pos& p, double width, double height) const {
+  const Frame3 f = axes(camera_);
+  const Vec3f v = relative(p, camera_.eye);
+  const double depth = double(-dot(v, f.back)), slope = double(sudar::tan(camera_.field_of_view / 2));
+  if (depth < 1e-6 * distance(camera_)) return {};
+  const double pixels = height / (2 * slope * depth);
+  return Seen{width / 2 + double(dot(v, f.right)) * pixels, height / 2 - double(dot(v, f.up)) * pixels, depth};
+}
+
 }

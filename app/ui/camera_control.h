@@ -20,7 +20,11 @@ class CameraControl {
   void look_at(const Pos&);                      // slides there
   void frame(const Pos& centre, double radius);
 
-  Ray ray(double x, double y, double width, double height) const;  // through a pixel; y from the top
+  struct Seen {
+    double x, y, depth;  // pixels from the top left; m along the view
+  };
+  std::optional<Seen> project(const Pos&, double width, double height) const;  // none: behind the eye
+  Ray ray(double x, double y, double width, double height) const;              // through a pixel; y from the top
 
  private:
   Camera camera_{.eye = {0, 2, 10}, .target = {}};

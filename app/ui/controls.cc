@@ -112,6 +112,21 @@ void Controls::perform(Action action) {
     case Action::joints:
       style.joints = !style.joints;
       return;
+    case Action::forces:
+      style.forces = !style.forces;
+      return;
+    case Action::labels:
+      labels = !labels;
+      return;
+    case Action::boxes:
+      style.boxes = !style.boxes;
+      return;
+    case Action::cells:
+      style.cells = !style.cells;
+      return;
+    case Action::colours:
+      style.colouring = Colouring((int(style.colouring) + 1) % 4);
+      return;
     case Action::wireframe:
       style.wireframe = !style.wireframe;
       return;
@@ -168,6 +183,7 @@ void Controls::hold() {
 }
 
 void Controls::look(View v, double aspect) {
+  if (const Detail needed = needed_for(style); needed != shown_) simulation_.show(needed), shown_ = needed;
   view_ = std::move(v);
   aspect_ = aspect;
   if (!view_.after) return;

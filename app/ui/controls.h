@@ -40,7 +40,7 @@ class Controls {
   view::Focus focus;  // of the scene when it started
   Ray pointer{};      // where the mouse points
   Body selected{};
-  bool follow = false, panels = true, help = false;
+  bool labels = false, follow = false, panels = true, help = false;
   Places places;         // of widgets
   bool filming = false;  // told by whoever does it
   // Taken up by whoever can, who then takes them down.
@@ -58,6 +58,7 @@ class Controls {
   View view_;
   std::int64_t seen_run_ = 0;
   const ScenarioEntry* seen_entry_ = nullptr;
+  view::Detail shown_;
   double aspect_ = 1;
   std::vector<std::string> held_;
 };

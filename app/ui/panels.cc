@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "ui/engine_panel.h"
+#include "ui/labels.h"
 
 namespace sudar::ui {
 
@@ -57,6 +58,20 @@ bool Panels::open_menu(const char* name) {
   return open;
 }
 
+void Panels::colours(view::Style& style) {
+  constexpr struct {
+    view::Colouring colouring;
+    const char* text;
+  } all[] = {{view::Colouring::body, "Colour by body"},
+             {view::Colouring::speed, "Colour by speed"},
+             {view::Colouring::island, "Colour by island"},
+             {view::Colouring::sleep, "Colour by sleep"}};
+  for (const auto& c : all) {
+    if (ImGui::MenuItem(c.text, nullptr, style.colouring == c.colouring)) style.colouring = c.colouring;
+    controls_.places.note(c.text);
+  }
+}
+
 void Panels::menu() {
   if (open_menu("Run")) {
     for (const Action a : {Action::pause, Action::step, Action::ten_steps, Action::restart}) item(a);
@@ -74,7 +89,13 @@ void Panels::menu() {
   }
   if (open_menu("Show")) {
     view::Style& style = controls_.style;
-    item(Action::contacts, &style.contacts), item(Action::joints, &style.joints), item(Action::axes, &style.axes);
+    item(Action::contacts, &style.contacts), item(Action::joints, &style.joints), item(Action::forces, &style.forces);
+    item(Action::axes, &style.axes), item(Action::labels, &controls_.labels);
+    item(Action::boxes, &style.boxes), item(Action::cells, &style.cells);
+    ImGui::Separator();
+    colours(style);
+    item(Action::colours);
+    ImGui::Separator();
     item(Action::wireframe, &style.wireframe), item(Action::sleep, &style.sleep);
     ImGui::Separator();
     for (const Action a : {Action::frame_selection, Action::frame_all}) item(a);
@@ -207,6 +228,19 @@ void Panels::state_line(float width, float height, double frames_per_second) {
   ImGui::End();
 }
 
+// What colours and arrows mean in numbers.
+void Panels::legend(float right, float top) {
+  const view::Style& style = controls_.style;
+  const bool speed = style.colouring == view::Colouring::speed, forces = style.forces;
+  if (!speed && !forces) return;
+  begin_note("legend", right, top, {1, 0});
+  if (speed) ImGui::Text("colour: 0 … %g m/s", double(view::top_speed(controls_.scene)));
+  if (forces && controls_.scene.metres_per_newton > 0) {
+    ImGui::Text("1 m of arrow is %.3g N", 1 / double(controls_.scene.metres_per_newton));
+  }
+  ImGui::End();
+}
+
 void Panels::over_picture(const Area& area) {
   const auto left = float(area.x) + 12, top = float(area.y) + 12;
   const Moment* m = controls_.moment();
@@ -216,6 +250,7 @@ void Panels::over_picture(const Area& area) {
     for (const KeyHelp& k : m->keys) ImGui::Text("%-12s %s", k.key, k.does);
     ImGui::End();
   }
+  legend(float(area.x + area.width) - 12, top);
   const View& v = controls_.view();
   if (v.messages != seen_message_) seen_message_ = v.messages, message_since_ = Clock::now();
   if (v.messages > 0 && Clock::now() - message_since_ < std::chrono::seconds(6)) {
@@ -267,6 +302,7 @@ Area Panels::draw(int width, int height, double frames_per_second) {
     state_line(w, h, frames_per_second);
     area = {int(side), area.y, std::max(1, width - int(side)), std::max(1, height - area.y - int(line))};
   }
+  if (controls_.labels) draw_labels(controls_, area);
   over_picture(area);
   if (controls_.help) help(area);
   return area;

@@ -15,6 +15,8 @@ class Panels {
 
  private:
   void menu();
+  void colours(view::Style&);
+  void legend(float right, float top);
   void transport();
   void scenarios();
   void parameters();

@@ -72,6 +72,10 @@ void Simulation::select(Body body) {
   enqueue([this, body] { selected_ = body; });
 }
 
+void Simulation::show(const view::Detail& detail) {
+  enqueue([this, detail] { detail_ = detail; });
+}
+
 void Simulation::post(Command command) {
   enqueue([this, command = std::move(command)] {
     if (run_) command(*run_);
@@ -169,7 +173,7 @@ std::shared_ptr<Moment> Simulation::moment() const {
   m->run = runs_;
   m->steps = w.steps();
   m->time = w.time();
-  m->scene = app::scene_of(run_->playback());
+  m->scene = app::scene_of(run_->playback(), detail_);
   m->config = w.config();
   m->params = session.params();
   m->keys = session.scenario().keys();

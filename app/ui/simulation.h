@@ -68,8 +68,9 @@ class Simulation {
   void restart(const std::map<std::string, double>& parameters);
   void pause(bool);
   void set_speed(double);
-  void step(int n);   // of a paused run
-  void select(Body);  // null: nothing
+  void step(int n);                // of a paused run
+  void select(Body);               // null: nothing
+  void show(const view::Detail&);  // what moments hold
   void say(std::string);
 
   // Anything else; not called where there is no run. What it throws becomes the message.
@@ -96,6 +97,7 @@ class Simulation {
   std::unique_ptr<Run> run_;
   std::int64_t runs_ = 0;
   Body selected_{};
+  view::Detail detail_;
   bool paused_ = false;
   int single_steps_ = 0;
   double speed_ = 1, debt_ = 0, step_us_ = 0;

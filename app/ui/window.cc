@@ -7,6 +7,8 @@
 
 #include <utility>
 
+#include "main/priority.h"
+
 namespace sudar::ui {
 
 namespace {
@@ -30,6 +32,7 @@ double pixels(GLFWwindow* w, double v) {
 Window& Window::of(GLFWwindow* w) { return *static_cast<Window*>(glfwGetWindowUserPointer(w)); }
 
 Window::Window(int width, int height, const std::string& title) {
+  app::step_back();
   if (!glfwInit()) fail("there is no display to open a window on");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

@@ -2,26 +2,33 @@
 // picture.
 #pragma once
 
+#include <array>
+
 #include "view/instances.h"
-#include "view/scene.h"
+#include "view/renderer.h"
 
 namespace sudar::view {
 
 class Bodies {
  public:
-  // Takes all links and all instances but half spaces. `show_sleep`: bodies asleep are pale.
-  void place(const Scene&, const Pos& eye, bool show_sleep);
+  // Takes all links and all instances but half spaces, in the style's colours.
+  void place(const Scene&, const Pos& eye, const Style&);
   void draw() const { instances_.draw(); }
+  void draw_for_shadows() const { instances_.draw(Instances::Detail::plainer); }
 
  private:
   struct Known {
     Shape shape;
     std::size_t mesh;
   };
-  std::size_t mesh_of(const Shape&);
+  std::size_t mesh_of(const Shape&);  // the finest
+  std::size_t mesh_for(const Shape&, std::size_t finest, float distance, bool plain) const;
   Instances instances_;
   std::vector<Known> known_;
-  std::size_t sphere_ = instances_.add_mesh(sphere_mesh());
+  // Spheres from coarse to fine: how many triangles one needs depends on how large it is seen.
+  std::array<std::size_t, 4> spheres_ = {instances_.add_mesh(sphere_mesh(1)), instances_.add_mesh(sphere_mesh(2)),
+                                         instances_.add_mesh(sphere_mesh(3), sphere_mesh(2)),
+                                         instances_.add_mesh(sphere_mesh(6), sphere_mesh(3))};
   std::size_t rod_ = instances_.add_mesh(stick_mesh());
 };
 

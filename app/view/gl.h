@@ -80,6 +80,11 @@ class Program {
   Name<destroy_program> program_;
 };
 
+inline std::vector<std::string> joined(std::vector<std::string> files, const char* last) {
+  files.push_back(last);
+  return files;
+}
+
 // Binds the texture to a unit.
 inline void bind(int unit, GLuint texture) {
   glActiveTexture(GLenum(GL_TEXTURE0 + unit));

@@ -11,6 +11,9 @@ double cell_for(double distance) { return std::pow(10.0, std::floor(std::log10(d
 
 }
 
+Ground::Ground(const std::vector<std::string>& light)
+    : program_({"frame.glsl", "ground.vert.glsl"}, gl::joined(light, "ground.frag.glsl")) {}
+
 void Ground::draw(const Scene& scene, const Camera& camera, const Focus& focus, bool glass) const {
   const double distance = double(length(relative(camera.target, camera.eye)));
   const double cell = cell_for(distance), coarse = 10 * cell;

@@ -8,15 +8,15 @@ namespace sudar::view {
 
 class Ground {
  public:
+  explicit Ground(const std::vector<std::string>& light);  // the shaders that light it
   // Floors (glass = false) are drawn solid, walls (glass = true) are laid over what there is. Surfaces seen from
   // below or behind are left out. `focus`: what the walls are drawn round.
+  const gl::Program& program() const { return program_; }
   void draw(const Scene&, const Camera&, const Focus&, bool glass) const;
 
  private:
-  gl::Program program_{{"frame.glsl", "ground.vert.glsl"}, {"frame.glsl", "light.glsl", "ground.frag.glsl"}};
+  gl::Program program_;
   gl::VertexArray none_ = gl::make_vertex_array();
-
-  friend class Renderer;  // binds the frame block and the shadow map to its programs
 };
 
 }

@@ -29,7 +29,9 @@ void point_at_instances(std::size_t first) {
 }
 
 std::size_t Instances::add_mesh(const Mesh& mesh) {
-  OnCard m{gl::make_vertex_array(), gl::make_buffer(), gl::make_buffer(), GLsizei(mesh.indices.size())};
+  OnCard m{
+      gl::make_vertex_array(),      gl::make_buffer(), gl::make_buffer(), GLenum(mesh.lines ? GL_LINES : GL_TRIANGLES),
+      GLsizei(mesh.indices.size()), meshes_.size()};
   glBindVertexArray(m.layout);
   glBindBuffer(GL_ARRAY_BUFFER, m.vertices);
   glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(mesh.vertices.size() * sizeof(MeshVertex)), mesh.vertices.data(),
@@ -45,6 +47,12 @@ std::size_t Instances::add_mesh(const Mesh& mesh) {
   return meshes_.size() - 1;
 }
 
+std::size_t Instances::add_mesh(const Mesh& mesh, const Mesh& plainer) {
+  const std::size_t number = add_mesh(plainer), own = add_mesh(mesh);
+  meshes_[own].plainer = number;
+  return own;
+}
+
 void Instances::place(const std::vector<std::vector<GpuInstance>>& copies_of_mesh) {
   std::vector<GpuInstance> all;
   batches_.clear();
@@ -57,13 +65,13 @@ void Instances::place(const std::vector<std::vector<GpuInstance>>& copies_of_mes
   glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(all.size() * sizeof(GpuInstance)), all.data(), GL_STREAM_DRAW);
 }
 
-void Instances::draw() const {
+void Instances::draw(Detail detail) const {
   for (const Batch& batch : batches_) {
-    const OnCard& mesh = meshes_[batch.mesh];
+    const OnCard& mesh = meshes_[detail == Detail::full ? batch.mesh : plainer(batch.mesh)];
     glBindVertexArray(mesh.layout);
     glBindBuffer(GL_ARRAY_BUFFER, instances_);
     point_at_instances(batch.first);
-    glDrawElementsInstanced(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr, GLsizei(batch.count));
+    glDrawElementsInstanced(mesh.primitive, mesh.count, GL_UNSIGNED_INT, nullptr, GLsizei(batch.count));
   }
 }
 

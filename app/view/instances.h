@@ -19,15 +19,22 @@ struct GpuInstance {
 class Instances {
  public:
   std::size_t add_mesh(const Mesh&);  // returns its number
+  // With a plainer one for where details are not seen: in the shadow map, and far away.
+  std::size_t add_mesh(const Mesh&, const Mesh& plainer);
+  std::size_t plainer(std::size_t mesh) const { return meshes_[mesh].plainer; }  // itself where there is none
+  std::size_t meshes() const { return meshes_.size(); }
   // What draw() draws until the next call: for every mesh its copies. May be shorter than the list of meshes.
   void place(const std::vector<std::vector<GpuInstance>>& copies_of_mesh);
-  void draw() const;  // with the program in use
+  enum class Detail { full, plainer };
+  void draw(Detail = Detail::full) const;  // with the program in use
 
  private:
   struct OnCard {
     gl::VertexArray layout;
     gl::Buffer vertices, indices;
+    GLenum primitive;
     GLsizei count;
+    std::size_t plainer;
   };
   struct Batch {
     std::size_t mesh, first, count;

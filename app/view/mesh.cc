@@ -57,6 +57,16 @@ void choose_tones(std::vector<HullFace>& faces, const EdgeOwners& owner, std::sp
   }
 }
 
+std::vector<HullFace> faces_of(const Shape& shape, EdgeOwners& owner) {
+  std::vector<HullFace> faces;
+  for (const Loop& loop : shape.faces()) {
+    for (std::size_t i = 0; i < loop.size(); ++i) owner[edge_of(loop, i)] = faces.size();
+    faces.push_back(make_face(loop, shape.vertices()));
+  }
+  choose_tones(faces, owner, shape.vertices());
+  return faces;
+}
+
 // One fan round the face's centre, a triangle per edge.
 void add_fan(Mesh& mesh, const HullFace& face, const std::vector<HullFace>& faces, const EdgeOwners& owner,
              std::span<const Vec3> points, float rounding) {
@@ -125,15 +135,25 @@ float dark(int) { return 0; }
 
 }
 
+Mesh plain_hull_mesh(const Shape& shape) {
+  EdgeOwners owner;
+  Mesh mesh;
+  for (const HullFace& face : faces_of(shape, owner)) {
+    const auto first = std::uint32_t(mesh.vertices.size());
+    for (const std::uint32_t i : face.loop) {
+      mesh.vertices.push_back({to_float(shape.vertices()[i]), face.normal, face.normal, 1, face.tone});
+    }
+    for (std::uint32_t i = 2; i < face.loop.size(); ++i) {
+      mesh.indices.insert(mesh.indices.end(), {first, first + i - 1, first + i});
+    }
+  }
+  return mesh;
+}
+
 Mesh hull_mesh(const Shape& shape) {
   const std::span<const Vec3> points = shape.vertices();
-  std::vector<HullFace> faces;
   EdgeOwners owner;
-  for (const Loop& loop : shape.faces()) {
-    for (std::size_t i = 0; i < loop.size(); ++i) owner[edge_of(loop, i)] = faces.size();
-    faces.push_back(make_face(loop, points));
-  }
-  choose_tones(faces, owner, points);
+  const std::vector<HullFace> faces = faces_of(shape, owner);
   // Rounding looks right at a share of the hull's thickness, and is never more than a share of its size.
   float thickness = std::numeric_limits<float>::infinity();
   for (const HullFace& face : faces) {
@@ -147,40 +167,42 @@ Mesh hull_mesh(const Shape& shape) {
   return mesh;
 }
 
-Mesh sphere_mesh() {            // a beach ball: eight sectors and two caps
-  constexpr float cap = 1.25f;  // latitude, rad
+Mesh sphere_mesh(int fineness) {  // a beach ball: eight sectors and two caps
+  constexpr float cap = 1.25f;    // latitude, rad
+  const int at_cap = (fineness + 1) / 2;
   Mesh mesh;
-  revolve(mesh, arc(1, 0, -quarter, -cap, 3), 8, 6, light);
-  revolve(mesh, arc(1, 0, -cap, cap, 18), 8, 6, alternate);
-  revolve(mesh, arc(1, 0, cap, quarter, 3), 8, 6, light);
+  revolve(mesh, arc(1, 0, -quarter, -cap, at_cap), 8, fineness, light);
+  revolve(mesh, arc(1, 0, -cap, cap, 3 * fineness), 8, fineness, alternate);
+  revolve(mesh, arc(1, 0, cap, quarter, at_cap), 8, fineness, light);
   return mesh;
 }
 
 namespace {
 
-Mesh capsule_mesh(float radius, float half_length) {
+Mesh capsule_mesh(float radius, float half_length, int fineness) {
   Mesh mesh;
+  const int slices = 5 * fineness / 3, rings = 4 * fineness / 3;
   const Ring low{radius, -half_length, 1, 0}, high{radius, half_length, 1, 0};
-  revolve(mesh, arc(radius, -half_length, -quarter, 0, 8), 4, 10, alternate_shifted);
-  revolve(mesh, std::vector<Ring>{low, high}, 4, 10, alternate);
-  revolve(mesh, arc(radius, half_length, 0, quarter, 8), 4, 10, alternate_shifted);
+  revolve(mesh, arc(radius, -half_length, -quarter, 0, rings), 4, slices, alternate_shifted);
+  revolve(mesh, std::vector<Ring>{low, high}, 4, slices, alternate);
+  revolve(mesh, arc(radius, half_length, 0, quarter, rings), 4, slices, alternate_shifted);
   return mesh;
 }
 
-Mesh cylinder_mesh(float radius, float half) {
+Mesh cylinder_mesh(float radius, float half, int slices) {
   Mesh mesh;
-  revolve(mesh, std::vector<Ring>{{0, -half, 0, -1}, {radius, -half, 0, -1}}, 4, 12, alternate_shifted);
-  revolve(mesh, std::vector<Ring>{{radius, -half, 1, 0}, {radius, half, 1, 0}}, 4, 12, alternate);
-  revolve(mesh, std::vector<Ring>{{radius, half, 0, 1}, {0, half, 0, 1}}, 4, 12, alternate_shifted);
+  revolve(mesh, std::vector<Ring>{{0, -half, 0, -1}, {radius, -half, 0, -1}}, 4, slices, alternate_shifted);
+  revolve(mesh, std::vector<Ring>{{radius, -half, 1, 0}, {radius, half, 1, 0}}, 4, slices, alternate);
+  revolve(mesh, std::vector<Ring>{{radius, half, 0, 1}, {0, half, 0, 1}}, 4, slices, alternate_shifted);
   return mesh;
 }
 
-Mesh tapered_mesh(float radius, float base, float apex) {
+Mesh tapered_mesh(float radius, float base, float apex, int slices) {
   const float height = apex - base, side = std::sqrt(radius * radius + height * height);
   const float out = height / side, up = radius / side;
   Mesh mesh;
-  revolve(mesh, std::vector<Ring>{{0, base, 0, -1}, {radius, base, 0, -1}}, 4, 12, alternate_shifted);
-  revolve(mesh, std::vector<Ring>{{radius, base, out, up}, {0, apex, out, up}}, 4, 12, alternate);
+  revolve(mesh, std::vector<Ring>{{0, base, 0, -1}, {radius, base, 0, -1}}, 4, slices, alternate_shifted);
+  revolve(mesh, std::vector<Ring>{{radius, base, out, up}, {0, apex, out, up}}, 4, slices, alternate);
   return mesh;
 }
 
@@ -200,25 +222,26 @@ Mesh inside_out(Mesh mesh) {
 
 }
 
-Mesh smooth_mesh(const Shape& shape) {
+Mesh smooth_mesh(const Shape& shape, int fineness) {
+  const int slices = 2 * fineness;
   const float radius = float(shape.radius()), half = float(shape.half_length());
   switch (shape.kind()) {
     case ShapeKind::capsule:
-      return capsule_mesh(radius, half);
+      return capsule_mesh(radius, half, fineness);
     case ShapeKind::cylinder:
-      return cylinder_mesh(radius, half);
+      return cylinder_mesh(radius, half, slices);
     case ShapeKind::cone:
-      return tapered_mesh(radius, -half / 2, 1.5f * half);
+      return tapered_mesh(radius, -half / 2, 1.5f * half, slices);
     case ShapeKind::ellipsoid:
-      return stretched(sphere_mesh(), to_float(shape.radii()));
+      return stretched(sphere_mesh(fineness), to_float(shape.radii()));
     case ShapeKind::hollow_sphere: {  // its lower half, to let the light in
       Mesh bowl;
-      revolve(bowl, arc(radius, 0, -quarter, 0, 16), 8, 6, alternate);
+      revolve(bowl, arc(radius, 0, -quarter, 0, 16), 8, fineness, alternate);
       return inside_out(std::move(bowl));
     }
     case ShapeKind::hollow_cylinder: {
       Mesh pipe;
-      revolve(pipe, std::vector<Ring>{{radius, -half, 1, 0}, {radius, half, 1, 0}}, 4, 12, alternate);
+      revolve(pipe, std::vector<Ring>{{radius, -half, 1, 0}, {radius, half, 1, 0}}, 4, slices, alternate);
       return inside_out(std::move(pipe));
     }
     default:
@@ -238,6 +261,19 @@ Mesh cone_mesh() {
   const float slope = std::sqrt(0.5f);
   revolve(mesh, std::vector<Ring>{{0, 0, 0, -1}, {1, 0, 0, -1}}, 1, 16, dark);
   revolve(mesh, std::vector<Ring>{{1, 0, slope, slope}, {0, 1, slope, slope}}, 1, 16, dark);
+  return mesh;
+}
+
+Mesh cube_outline() {
+  Mesh mesh;
+  mesh.lines = true;
+  for (std::uint32_t i = 0; i < 8; ++i) {
+    const Vec3f corner{float(i & 1), float(i >> 1 & 1), float(i >> 2)};
+    mesh.vertices.push_back({corner, {0, 1, 0}, {0, 1, 0}, 1, 0});
+    for (const std::uint32_t axis : {1u, 2u, 4u}) {
+      if ((i & axis) == 0) mesh.indices.insert(mesh.indices.end(), {i, i | axis});
+    }
+  }
   return mesh;
 }
 

@@ -22,13 +22,16 @@ struct MeshVertex {
 struct Mesh {
   std::vector<MeshVertex> vertices;
   std::vector<std::uint32_t> indices;  // three for each triangle, counter-clockwise from outside
+  bool lines = false;                  // two for each line instead
 };
 
 Mesh hull_mesh(const Shape&);
-Mesh sphere_mesh();                                  // radius 1
+Mesh plain_hull_mesh(const Shape&);  // with sharp edges and half as many triangles
+Mesh sphere_mesh(int fineness);      // radius 1; 1…6: a sector has so many slices
 // A capsule, cylinder, cone or ellipsoid; a hollow, which is drawn from inside only, so that one can look into it.
-Mesh smooth_mesh(const Shape&);
-Mesh stick_mesh();                                   // for marks: a cylinder of radius 1 from y = 0 to 1
-Mesh cone_mesh();                                    // for marks: radius 1 at y = 0, its tip at y = 1
+Mesh smooth_mesh(const Shape&, int fineness);  // 3…6
+Mesh stick_mesh();                             // for marks: a cylinder of radius 1 from y = 0 to 1
+Mesh cube_outline();                           // its twelve edges as lines, 0…1
+Mesh cone_mesh();                              // for marks: radius 1 at y = 0, its tip at y = 1
 
 }

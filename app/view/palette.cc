@@ -61,6 +61,21 @@ Vec3f body_colour(std::uint32_t shape_number, std::uint32_t body_number) {
   return from_oklab(lab);
 }
 
+Vec3f scale_colour(float share) {
+  // Five colours of viridis (S. van der Walt, N. Smith 2015).
+  constexpr std::uint32_t stops[] = {0x440154, 0x3b528b, 0x21918c, 0x5ec962, 0xfde725};
+  const float x = max(0.0f, min(share, 1.0f)) * float(std::size(stops) - 1);
+  const auto i = std::size_t(min(x, float(std::size(stops) - 2)));
+  const float t = x - float(i);
+  return from_oklab(to_oklab(linear_colour(stops[i])) * (1 - t) + to_oklab(linear_colour(stops[i + 1])) * t);
+}
+
+Vec3f category_colour(std::uint32_t number) {
+  constexpr float golden_angle = 2.3999632f;  // rad
+  const float hue = golden_angle * float(number % 4096);
+  return from_oklab({number % 2 == 0 ? 0.72f : 0.62f, 0.13f * std::cos(hue), 0.13f * std::sin(hue)});
+}
+
 Vec3f fixed_colour() { return linear_colour(0xa9adb3); }
 Vec3f link_colour() { return linear_colour(0x5a6068); }
 

@@ -10,6 +10,8 @@ namespace sudar::view {
 Vec3f body_colour(std::uint32_t shape_number, std::uint32_t body_number);  // linear light
 Vec3f fixed_colour();
 Vec3f link_colour();
+Vec3f scale_colour(float share);              // 0…1: from dark blue over green to yellow, evenly brighter
+Vec3f category_colour(std::uint32_t number);  // numbers near each other are well apart in colour
 
 // From sRGB as designers write it (0xRRGGBB) to linear light.
 Vec3f linear_colour(std::uint32_t srgb);

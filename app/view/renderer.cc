@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "view/bodies.h"
+#include "view/boxes.h"
 #include "view/frame.h"
 #include "view/ground.h"
 #include "view/marks.h"
@@ -19,14 +20,16 @@ constexpr GLuint frame_binding = 0;
 // What a picture of one size is drawn into before it is finished.
 struct Canvas {
   int width, height, samples;
+  bool plain;
   gl::Texture light, depth, mark_depth, occlusion;
   gl::Framebuffer framebuffer, mark_framebuffer, occlusion_framebuffer;
 
-  Canvas(int w, int h, int s)
+  Canvas(int w, int h, int s, bool p)
       : width(w),
         height(h),
         samples(s),
-        light(gl::make_texture(gl::hdr_format, w * s, h * s, GL_NEAREST)),
+        plain(p),
+        light(gl::make_texture(p ? gl::picture_format : gl::hdr_format, w * s, h * s, GL_NEAREST)),
         depth(gl::make_texture(gl::depth_format, w * s, h * s, GL_NEAREST)),
         mark_depth(gl::make_texture(gl::depth_format, w * s, h * s, GL_NEAREST)),
         occlusion(gl::make_texture(gl::grey_format, w, h, GL_NEAREST)),
@@ -56,26 +59,42 @@ void begin_pass(GLuint framebuffer, int width, int height, bool depth_test) {
   (depth_test ? glEnable : glDisable)(GL_DEPTH_TEST);
 }
 
+using Files = std::vector<std::string>;
+
+// What makes light into a picture, in several passes or in one.
+struct Lit {
+  gl::Program body, mark, sky;
+  Ground ground;
+
+  explicit Lit(const Files& light)
+      : body({"frame.glsl", "body.vert.glsl"}, gl::joined(light, "body.frag.glsl")),
+        mark({"frame.glsl", "body.vert.glsl"}, gl::joined(light, "mark.frag.glsl")),
+        sky({"screen.vert.glsl"}, gl::joined(light, "sky.frag.glsl")),
+        ground(light) {}
+};
+
 }
 
 struct Renderer::Impl {
-  gl::Program body{{"frame.glsl", "body.vert.glsl"}, {"frame.glsl", "light.glsl", "body.frag.glsl"}};
+  Lit fine{Files{"fine.glsl", "frame.glsl", "light.glsl"}};
+  Lit plain{Files{"tone.glsl", "plain.glsl", "frame.glsl", "light.glsl"}};
   gl::Program shadow{{"frame.glsl", "body.vert.glsl"}, {"empty.frag.glsl"}};
   gl::Program id{{"frame.glsl", "body.vert.glsl"}, {"id.frag.glsl"}};
-  gl::Program mark{{"frame.glsl", "body.vert.glsl"}, {"mark.frag.glsl"}};
-  gl::Program sky{{"screen.vert.glsl"}, {"frame.glsl", "light.glsl", "sky.frag.glsl"}};
   gl::Program occlusion{{"screen.vert.glsl"}, {"frame.glsl", "occlusion.frag.glsl"}};
-  gl::Program resolve{{"screen.vert.glsl"}, {"resolve.frag.glsl"}};
+  gl::Program resolve{{"screen.vert.glsl"}, {"tone.glsl", "resolve.frag.glsl"}};
   gl::VertexArray none = gl::make_vertex_array();  // for triangles that a shader makes from nothing
   gl::Buffer frame_buffer = gl::make_buffer();
   Bodies bodies;
+  Boxes boxes;
   Marks marks;
-  Ground ground;
   std::optional<Canvas> canvas;
   std::optional<ShadowMap> shadow_map;
 
   Impl() {
-    for (const gl::Program* p : {&body, &shadow, &id, &mark, &sky, &occlusion, &resolve, &ground.program_}) {
+    const gl::Program* const all[] = {&fine.body,  &fine.mark,  &fine.sky,  &fine.ground.program(),
+                                      &plain.body, &plain.mark, &plain.sky, &plain.ground.program(),
+                                      &shadow,     &id,         &occlusion, &resolve};
+    for (const gl::Program* p : all) {
       p->bind_block("Frame", frame_binding);
       p->use();
       p->set("shadow_map", shadow_unit);
@@ -93,6 +112,8 @@ struct Renderer::Impl {
     glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer);
   }
 
+  const Lit& lit() const { return canvas->plain ? plain : fine; }
+
   void draw_screen() const {
     glBindVertexArray(none);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -105,7 +126,7 @@ struct Renderer::Impl {
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.5f, 2.0f);
     shadow.use();
-    bodies.draw();
+    bodies.draw_for_shadows();
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_CLAMP);
   }
@@ -116,13 +137,13 @@ struct Renderer::Impl {
     gl::bind(shadow_unit, shadow_map->depth);
     glEnable(GL_CULL_FACE);
     if (style.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-    body.use();
+    lit().body.use();
     bodies.draw();
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glDisable(GL_CULL_FACE);
-    ground.draw(scene, camera, focus, false);
+    lit().ground.draw(scene, camera, focus, false);
     glDepthFunc(GL_LEQUAL);  // the sky lies exactly on the far plane
-    sky.use();
+    lit().sky.use();
     draw_screen();
     glDepthFunc(GL_LESS);
   }
@@ -139,20 +160,37 @@ struct Renderer::Impl {
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
-    ground.draw(scene, camera, focus, true);
+    lit().ground.draw(scene, camera, focus, true);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+  }
+
+  void draw_boxes() const {
+    begin_pass(canvas->framebuffer, canvas->width * canvas->samples, canvas->height * canvas->samples, true);
+    glDepthMask(GL_FALSE);
+    glLineWidth(float(canvas->samples));
+    lit().mark.use();
+    boxes.draw();
+    glLineWidth(1);
+    glDepthMask(GL_TRUE);
   }
 
   // Marks hide each other but nothing hides them: they have a depth buffer of their own.
   void draw_marks() const {
     begin_pass(canvas->mark_framebuffer, canvas->width * canvas->samples, canvas->height * canvas->samples, true);
     glClear(GL_DEPTH_BUFFER_BIT);
-    mark.use();
+    lit().mark.use();
     marks.draw();
   }
 
   void finish(const Style& style, const Target& target) const {
+    if (canvas->plain) {
+      glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas->framebuffer);
+      glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
+      glBlitFramebuffer(0, 0, canvas->width, canvas->height, 0, 0, target.width, target.height, GL_COLOR_BUFFER_BIT,
+                        GL_NEAREST);
+      return;
+    }
     begin_pass(target.framebuffer, target.width, target.height, false);
     gl::bind(light_unit, canvas->light);
     gl::bind(depth_unit, canvas->depth);
@@ -163,6 +201,14 @@ struct Renderer::Impl {
     draw_screen();
   }
 };
+
+void Style::set(Finish finish) {
+  const bool fine = finish == Finish::fine;
+  plain = !fine;
+  occlusion = fine;
+  samples = fine ? 2 : 1;
+  shadow_texels = fine ? 2048 : 1024;
+}
 
 Renderer::Renderer() {
   if (epoxy_gl_version() < 33) {
@@ -176,21 +222,24 @@ Renderer::~Renderer() = default;
 
 void Renderer::draw(const Scene& scene, const Camera& camera, const Style& style, const Target& target) {
   Impl& r = *impl_;
+  const int samples = style.plain ? 1 : style.samples;
   if (!r.canvas || r.canvas->width != target.width || r.canvas->height != target.height ||
-      r.canvas->samples != style.samples) {
-    r.canvas.emplace(target.width, target.height, style.samples);
+      r.canvas->samples != samples || r.canvas->plain != style.plain) {
+    r.canvas.emplace(target.width, target.height, samples, style.plain);
   }
   if (!r.shadow_map || r.shadow_map->texels != style.shadow_texels) r.shadow_map.emplace(style.shadow_texels);
   const Focus focus = focus_of(scene);
   r.share(make_frame(scene, focus, camera, double(target.width) / target.height, style.shadow_texels));
-  r.bodies.place(scene, camera.eye, style.sleep);
+  r.bodies.place(scene, camera.eye, style);
+  r.boxes.place(scene, camera.eye, style);
   r.marks.place(scene, camera.eye, style);
   glEnable(GL_CULL_FACE);
   r.draw_shadows();
   r.draw_solids(scene, camera, focus, style);
-  if (style.occlusion) r.draw_occlusion();
+  if (style.occlusion && !style.plain) r.draw_occlusion();
   r.draw_over(scene, camera, focus);
-  if (style.contacts || style.joints || style.axes) r.draw_marks();
+  if (style.boxes || style.cells) r.draw_boxes();
+  if (style.contacts || style.joints || style.forces || style.axes) r.draw_marks();
   r.finish(style, target);
 }
 
@@ -200,7 +249,7 @@ IdImage Renderer::ids(const Scene& scene, const Camera& camera, int width, int h
   const gl::Texture depth = gl::make_texture(gl::depth_format, width, height, GL_NEAREST);
   const gl::Framebuffer framebuffer = gl::make_framebuffer(seen, depth);
   r.share(make_frame(scene, focus_of(scene), camera, double(width) / height, 1));
-  r.bodies.place(scene, camera.eye, false);
+  r.bodies.place(scene, camera.eye, {});
   begin_pass(framebuffer, width, height, true);
   const GLuint nothing[4] = {0, 0, 0, 0};
   glClearBufferuiv(GL_COLOR, 0, nothing);

@@ -13,7 +13,13 @@ void add_bodies(Scene& scene, const World& world, std::uint32_t palette) {
   for (const Body b : world.bodies()) {
     const BodyView view = world[b];
     const bool fixed = view.motion() == Motion::fixed;
-    add_instance(scene, view.shape(), {.pose = view.pose(), .body = b, .fixed = fixed, .asleep = view.asleep()});
+    add_instance(scene, view.shape(),
+                 {.pose = view.pose(),
+                  .body = b,
+                  .fixed = fixed,
+                  .asleep = view.asleep(),
+                  .speed = float(length(view.velocity())),
+                  .name = view.name()});
     Instance& instance = scene.instances.back();
     constexpr std::uint32_t none = ~0u;
     gradient.resize(scene.shapes.size(), none);
@@ -37,6 +43,19 @@ float size_of(const World& world, Body b) {
   return float(world[b].shape().bounding_radius());
 }
 
+// The free coordinate of a hinge or slider, of a joint that has one.
+template <class Definition>
+void add_axis(JointMark& mark, const JointView& joint, const Definition& d) {
+  const auto axis = [&](const Vec3& v) { return to_float(rotate(joint.frame_a(), v)); };
+  constexpr bool has_axis = requires { d.axis; }
+  || requires { d.normal; };
+  if constexpr (has_axis) mark.axis = axis({1, 0, 0});
+  if constexpr (requires { d.axis, d.limit; }) {
+    mark.freedom = {mark.axis,          axis({0, 1, 0}),     std::is_same_v<Definition, Hinge>,
+                    float(d.limit.low), float(d.limit.high), float(joint.coordinate())};
+  }
+}
+
 void add_joint(Scene& scene, const World& world, const JointView& joint) {
   constexpr float thickness = 0.035f, away = 1.15f;  // of the body's bounding radius
   JointMark mark{.anchor_a = joint.anchor_a(), .anchor_b = joint.anchor_b()};
@@ -48,6 +67,7 @@ void add_joint(Scene& scene, const World& world, const JointView& joint) {
           const bool moves = size > 0 && world[b].motion() != Motion::fixed;
           if (moves && float(length(anchor - center)) > away * size)
             scene.links.push_back({center, anchor, thickness * size});
+          if (moves && (mark.size == 0 || size < mark.size)) mark.size = size;
           return center;
         };
         mark.center_a = end(d.a, mark.anchor_a);
@@ -56,18 +76,76 @@ void add_joint(Scene& scene, const World& world, const JointView& joint) {
           const float size = max(size_of(world, d.a), size_of(world, d.b));
           scene.links.push_back({mark.anchor_a, mark.anchor_b, thickness * size});
         }
+        add_axis(mark, joint, d);
       },
       joint.definition());
   scene.joints.push_back(mark);
 }
 
+// Weights, and what contacts and joints exerted in the last sub-step.
+void add_forces(Scene& scene, const World& world) {
+  Vec3 gravity{};
+  for (const ForceId f : world.forces()) {
+    if (const auto* g = std::get_if<Gravity>(&world[f])) gravity += g->acceleration;
+  }
+  float weight = 0, size = 0, largest = 0;
+  int bodies = 0;
+  const auto add = [&](ForceMark::Kind kind, const Pos& at, const Vec3& force) {
+    const Vec3f f = to_float(force);
+    if (length(f) > 0) scene.forces.push_back({kind, at, f}), largest = max(largest, length(f));
+  };
+  for (const Body b : world.bodies()) {
+    const BodyView view = world[b];
+    if (view.motion() != Motion::dynamic) continue;
+    add(ForceMark::Kind::weight, view.center(), gravity * view.mass());
+    weight += float(length(gravity) * view.mass()), size += size_of(world, b), ++bodies;
+  }
+  const Config& config = world.config();
+  const Real sub_step = Real(config.dt * double(config.time_factor) / config.substeps);
+  for (const Contact& contact : world.contacts()) {
+    for (int i = 0; i < contact.count; ++i) {
+      const Contact::Point& p = contact.points[std::size_t(i)];
+      // On b, or on a where b does not move: what holds a body points at it.
+      const Vec3 on_a = (contact.normal * p.normal_impulse + p.friction) / sub_step;
+      add(contact.slipping ? ForceMark::Kind::slip : ForceMark::Kind::stick, p.at,
+          world[contact.b].motion() == Motion::dynamic ? -on_a : on_a);
+    }
+  }
+  for (const Joint j : world.joints()) add(ForceMark::Kind::joint, world[j].anchor_b(), world[j].load().force);
+  // The mean weight is an arrow as long as the mean body; without weights the largest force is.
+  const float unit = weight > 0 ? weight / float(bodies) : largest;
+  scene.metres_per_newton = unit > 0 ? 1.5f * size / float(max(1, bodies)) / unit : 0;
 }
 
-Scene make_scene(const World& world, std::uint32_t palette) {
+void add_islands(Scene& scene, const World& world) {
+  const std::vector<std::uint32_t> islands = world.islands();  // in the order of the instances
+  std::vector<std::uint32_t> members;
+  for (const std::uint32_t i : islands) {
+    if (i >= members.size()) members.resize(i + 1);
+    ++members[i];
+  }
+  for (std::size_t n = 0; n < islands.size(); ++n) {
+    scene.instances[n].island = islands[n];
+    scene.instances[n].alone = members[islands[n]] < 2;
+  }
+}
+
+}
+
+Scene make_scene(const World& world, const Detail& detail, std::uint32_t palette) {
   Scene scene;
   add_bodies(scene, world, palette);
   add_contacts(scene, world);
   for (const Joint j : world.joints()) add_joint(scene, world, world[j]);
+  if (detail.forces) add_forces(scene, world);
+  if (detail.islands) add_islands(scene, world);
+  const auto marks = [](const std::vector<Box>& boxes) {
+    std::vector<BoxMark> all;
+    for (const Box& b : boxes) all.push_back({b.low, b.high});
+    return all;
+  };
+  if (detail.boxes) scene.boxes = marks(world.fat_boxes());
+  if (detail.cells) scene.cells = marks(world.broad_boxes());
   return scene;
 }
 

@@ -15,5 +15,5 @@ void main() {
   vec3 normal = normalize(mix(normalize(rounded_normal), normalize(face_normal), flatness));
   vec3 second = mix(colour, vec3(0.86, 0.84, 0.80), contrast_gloss.x);
   vec3 albedo = mix(colour, second, edge_tone.y);
-  light = shade(albedo, at, normal, contrast_gloss.y);
+  light = shown(shade(albedo, at, normal, contrast_gloss.y));
 }

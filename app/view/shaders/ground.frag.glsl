@@ -27,11 +27,11 @@ void main() {
   float line = max(0.45 * fine, 0.85 * coarse);
   if (glass) {
     float near = 1.0 - smoothstep(0.7, 1.6, length(at - scene_centre) / scene_radius);
-    light = vec4(mix(vec3(0.75, 0.85, 0.95), vec3(0.25, 0.32, 0.4), line), near * mix(0.10, 0.45, line));
+    light = shown(vec4(mix(vec3(0.75, 0.85, 0.95), vec3(0.25, 0.32, 0.4), line), near * mix(0.10, 0.45, line)));
     return;
   }
   vec3 albedo = mix(vec3(0.43, 0.435, 0.43), vec3(0.20, 0.215, 0.24), line);
   vec4 surface = shade(albedo, at, normal, 0.25);
-  float far = 1.0 - exp(-pow(length(at) / scale.z, 1.5));
-  light = vec4(mix(surface.rgb, sky(normalize(vec3(at.x, 0.0, at.z))), far), surface.a * (1.0 - far));
+  float distance = length(at) / scale.z, far = 1.0 - exp(-distance * sqrt(distance));
+  light = shown(vec4(mix(surface.rgb, sky(normalize(vec3(at.x, 0.0, at.z))), far), surface.a * (1.0 - far)));
 }

@@ -11,10 +11,10 @@ const vec3 zenith = vec3(0.13, 0.30, 0.60);
 
 vec3 sky(vec3 direction) {
   float up = clamp(direction.y, 0.0, 1.0);
-  vec3 colour = mix(horizon, zenith, pow(up, 0.62));
+  vec3 colour = mix(horizon, zenith, mix(up, sqrt(up), 0.76));
   colour = mix(colour, nadir, smoothstep(0.0, 0.5, -direction.y));  // what is seen where there is no floor
-  float towards_sun = max(dot(direction, sun.xyz), 0.0);
-  return colour + sun_light * (0.06 * pow(towards_sun, 6.0) + 0.10 * pow(towards_sun, 60.0));
+  float s = max(dot(direction, sun.xyz), 0.0), s2 = s * s, s4 = s2 * s2, s8 = s4 * s4, s32 = s8 * s8 * s8 * s8;
+  return colour + sun_light * (0.06 * s4 * s2 + 0.10 * s32 * s32);  // a wide halo and a narrow one
 }
 
 // A different angle for each pixel of a small tile, as even as can be: interleaved gradient noise (Jimenez 2014).
@@ -23,7 +23,7 @@ float pixel_noise(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(
 // Share of the sun that is seen, 0…1: percentage-closer filtering (Reeves et al. 1987) over a disk of the shadow map,
 // its samples on Vogel's spiral.
 float sunlight(vec3 position, vec3 normal) {
-  const int samples = 12;
+  const int samples = SHADOW_SAMPLES;
   const float softness = 2.6;  // radius of the disk in texels
   float slope = 1.0 - max(dot(normal, sun.xyz), 0.0);
   vec3 lifted = position + normal * sun.w * (1.2 + 3.5 * slope);  // off the surface, or it shadows itself
@@ -32,7 +32,11 @@ float sunlight(vec3 position, vec3 normal) {
   vec3 inside = 0.5 - abs(place - 0.5);
   if (any(lessThan(inside, vec3(0.0)))) return 1.0;
   vec2 texel = softness / vec2(textureSize(shadow_map, 0));
+#ifdef PLAIN
+  float turn = 0.7;  // the bilinear filter of few samples is smooth enough; noise would be seen
+#else
   float turn = 6.2831853 * pixel_noise(gl_FragCoord.xy);
+#endif
   float seen = 0.0;
   for (int i = 0; i < samples; ++i) {
     float radius = sqrt((float(i) + 0.5) / float(samples));
@@ -43,6 +47,11 @@ float sunlight(vec3 position, vec3 normal) {
   return mix(1.0, seen / float(samples), smoothstep(0.0, 0.06, min(inside.x, inside.y)));
 }
 
+float fifth_power(float x) {
+  float x2 = x * x;
+  return x2 * x2 * x;
+}
+
 // Light from a surface to the eye. Alpha: the share of it that is ambient, which ambient occlusion may take away.
 vec4 shade(vec3 albedo, vec3 position, vec3 normal, float gloss) {
   vec3 to_eye = normalize(-position);
@@ -50,9 +59,15 @@ vec4 shade(vec3 albedo, vec3 position, vec3 normal, float gloss) {
   float lit = facing > 0.0 ? facing * sunlight(position, normal) : 0.0;
   vec3 ambient = albedo * mix(ground_light, sky_light, 0.5 + 0.5 * normal.y);
   vec3 half_way = normalize(to_eye + sun.xyz);
-  float fresnel = 0.04 + 0.96 * pow(1.0 - max(dot(to_eye, half_way), 0.0), 5.0);
-  float highlight = gloss * fresnel * 9.0 * pow(max(dot(normal, half_way), 0.0), 56.0);
-  vec3 reflected = gloss * sky(reflect(-to_eye, normal)) * (0.02 + 0.35 * pow(1.0 - max(dot(normal, to_eye), 0.0), 5.0));
+  float fresnel = 0.04 + 0.96 * fifth_power(1.0 - max(dot(to_eye, half_way), 0.0));
+  float h = max(dot(normal, half_way), 0.0), h2 = h * h, h4 = h2 * h2, h8 = h4 * h4, h16 = h8 * h8;
+  float highlight = gloss * fresnel * 9.0 * h16 * h16 * h16 * h8;
+#ifdef PLAIN
+  vec3 reflected = vec3(0.0);
+#else
+  vec3 reflected =
+      gloss * sky(reflect(-to_eye, normal)) * (0.02 + 0.35 * fifth_power(1.0 - max(dot(normal, to_eye), 0.0)));
+#endif
   vec3 direct = sun_light * lit * (albedo + highlight);
   vec3 total = ambient + direct + reflected;
   const vec3 luminance = vec3(0.2126, 0.7152, 0.0722);

@@ -5,4 +5,6 @@ flat in vec3 colour;
 
 out vec4 light;
 
-void main() { light = vec4(colour * (0.65 + 0.5 * max(dot(normalize(face_normal), normalize(-at)), 0.0)), 0.0); }
+void main() {
+  light = shown(vec4(colour * (0.65 + 0.5 * max(dot(normalize(face_normal), normalize(-at)), 0.0)), 0.0));
+}
