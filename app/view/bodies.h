@@ -26,9 +26,9 @@ class Bodies {
   Instances instances_;
   std::vector<Known> known_;
   // Spheres from coarse to fine: how many triangles one needs depends on how large it is seen.
-  std::array<std::size_t, 4> spheres_ = {instances_.add_mesh(sphere_mesh(1)), instances_.add_mesh(sphere_mesh(2)),
-                                         instances_.add_mesh(sphere_mesh(3), sphere_mesh(2)),
-                                         instances_.add_mesh(sphere_mesh(6), sphere_mesh(3))};
+  std::array<std::size_t, 4> spheres_ = {
+      instances_.add_mesh(sphere_mesh(1)), instances_.add_mesh(sphere_mesh(2), sphere_mesh(1)),
+      instances_.add_mesh(sphere_mesh(3), sphere_mesh(2)), instances_.add_mesh(sphere_mesh(6), sphere_mesh(3))};
   std::size_t rod_ = instances_.add_mesh(stick_mesh());
 };
 
