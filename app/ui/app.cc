@@ -46,8 +46,8 @@ class App {
   void start(const ScenarioEntry& entry) { controls_.start(entry); }
 
  private:
-  // 60 pictures a second; where nothing moves, 10.
-  double frame_length() const { return controls_.view().paused && events_left_ == 0 ? 0.1 : 1.0 / 60; }
+  // 60 pictures a second; where nothing moves, 30 of the panels.
+  double frame_length() const { return controls_.view().paused && events_left_ == 0 ? 1.0 / 30 : 1.0 / 60; }
 
   void draw() {
     controls_.look(simulation_.view(), double(area_.width) / std::max(1, area_.height));
@@ -55,17 +55,34 @@ class App {
     while (gui_.pending()) gui_.end(), draw_panels();
     events_left_ = std::max(0, events_left_ - 1);
     if (area_.width > 0 && area_.height > 0 && controls_.moment()) {
-      if (!canvas_ || canvas_->width() != area_.width || canvas_->height() != area_.height) {
-        canvas_.emplace(area_.width, area_.height);
-      }
-      const Scene scene = marked(controls_.scene);
-      Style style = controls_.style;
-      style.set(quality());
-      renderer_.draw(scene, controls_.camera.camera(), style, canvas_->target());
+      draw_scene();
       canvas_->show(area_.x, window_.height() - area_.y - area_.height);
     }
     gui_.draw();
     window_.show();
+  }
+
+  // Everything that the picture of the bodies depends on: while it stays the same, so does the picture.
+  struct Drawn {
+    std::int64_t scene = -1;
+    Pos eye, target;
+    Real field_of_view = 0;
+    Style style;
+    Body selected;
+    bool operator==(const Drawn&) const = default;
+  };
+
+  void draw_scene() {
+    if (!canvas_ || canvas_->width() != area_.width || canvas_->height() != area_.height) {
+      canvas_.emplace(area_.width, area_.height);
+      drawn_ = {};
+    }
+    const Camera& camera = controls_.camera.camera();
+    Drawn now{controls_.scenes, camera.eye, camera.target, camera.field_of_view, controls_.style, controls_.selected};
+    now.style.set(quality());
+    if (now == drawn_) return;
+    drawn_ = now;
+    renderer_.draw(marked(controls_.scene), camera, now.style, canvas_->target());
   }
 
   void draw_panels() {
@@ -74,11 +91,13 @@ class App {
     if (event) hand_.take(*event, area_);
   }
 
-  // A beautiful picture where that is quick, or where nothing moves and nobody waits for the next; else a plain one.
-  // Each change is given time to be judged, and the two limits lie far apart, so that it does not flicker.
+  // A beautiful picture where that is quick, or where nothing has moved for a moment and nobody waits for the next;
+  // else a plain one. Each change is given time to be judged, and the two limits lie far apart, so that it does not
+  // flicker.
   Finish quality() {
     if (fixed_quality_) return *fixed_quality_;
-    if (controls_.view().paused && events_left_ == 0) return Finish::fine;
+    if (!controls_.view().paused || events_left_ > 0) moved_ = Clock::now();
+    if (Clock::now() - moved_ > std::chrono::milliseconds(400)) return Finish::fine;
     if (++judged_ < 30) return quality_;
     const Finish wanted = frame_ > 0.045 ? Finish::plain : frame_ < 0.02 ? Finish::fine : quality_;
     if (wanted != quality_) judged_ = wanted == Finish::plain ? -600 : 0;
@@ -107,7 +126,7 @@ class App {
     if (controls_.wants_quit) window_.close();
     const Moment* m = controls_.moment();
     if (m && m->run != titled_) window_.set_title(std::string("Sudar: ") + m->entry->place), titled_ = m->run;
-    status_.write(controls_, 1 / frame_);
+    status_.write(controls_, window_, 1 / frame_);
   }
 
   void start_or_finish_movie(const std::string& scene) {
@@ -136,6 +155,7 @@ class App {
   Gui gui_{window_};
   Renderer renderer_;
   std::optional<Canvas> canvas_;
+  Drawn drawn_;            // on it
   Background background_;  // ends before the simulation, to which it talks
   std::unique_ptr<Filming> movie_;
   Controls controls_;
@@ -147,6 +167,7 @@ class App {
   std::optional<Finish> fixed_quality_;
   Finish quality_ = Finish::plain;
   int judged_ = 0;  // pictures since it changed
+  Clock::time_point moved_ = Clock::now();
   int events_left_ = 0;
   std::int64_t titled_ = 0;
 };

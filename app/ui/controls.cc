@@ -70,7 +70,7 @@ void Controls::perform(Action action) {
   const Ray ray = pointer;
   switch (action) {
     case Action::pause:
-      return s.pause(!view_.paused);
+      return s.pause_or_run();
     case Action::step:
       return s.pause(true), s.step(1);
     case Action::ten_steps:
@@ -78,9 +78,9 @@ void Controls::perform(Action action) {
     case Action::restart:
       return s.restart();
     case Action::faster:
-      return s.set_speed(faster(view_.speed));
+      return s.change_speed(faster);
     case Action::slower:
-      return s.set_speed(slower(view_.speed));
+      return s.change_speed(slower);
     case Action::real_time:
       return s.set_speed(1);
     case Action::previous:
@@ -188,7 +188,12 @@ void Controls::look(View v, double aspect) {
   aspect_ = aspect;
   if (!view_.after) return;
   const Moment& m = *view_.after;
-  scene = mix(view_.before->scene, m.scene, view_.share(Clock::now()));
+  const double share = view_.share(Clock::now());
+  if (view_.after != mixed_ || share != share_) {
+    scene = mix(view_.before->scene, m.scene, share);
+    mixed_ = view_.after, share_ = share;
+    ++scenes;
+  }
   if (m.run != seen_run_) {
     // The same scenario again keeps the camera: its user has chosen it.
     if (seen_entry_ != m.entry) {

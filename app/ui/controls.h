@@ -36,12 +36,14 @@ class Controls {
 
   CameraControl camera;
   view::Style style;
-  view::Scene scene;  // as drawn
-  view::Focus focus;  // of the scene when it started
-  Ray pointer{};      // where the mouse points
+  view::Scene scene;        // as drawn
+  std::int64_t scenes = 0;  // a new number is another scene
+  view::Focus focus;        // of the scene when it started
+  Ray pointer{};            // where the mouse points
   Body selected{};
   bool labels = false, follow = false, panels = true, help = false;
   Places places;         // of widgets
+  bool typing = false;   // into a field of a panel
   bool filming = false;  // told by whoever does it
   // Taken up by whoever can, who then takes them down.
   bool wants_search = false, wants_fullscreen = false, wants_screenshot = false, wants_movie = false,
@@ -59,6 +61,8 @@ class Controls {
   std::int64_t seen_run_ = 0;
   const ScenarioEntry* seen_entry_ = nullptr;
   view::Detail shown_;
+  std::shared_ptr<const Moment> mixed_;  // what `scene` was made of …
+  double share_ = 0;                     // … and this much of the way to it
   double aspect_ = 1;
   std::vector<std::string> held_;
 };

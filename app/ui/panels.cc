@@ -285,6 +285,7 @@ Area Panels::draw(int width, int height, double frames_per_second) {
   const auto w = float(width), h = float(height);
   Area area{0, 0, width, height};
   controls_.places.clear();
+  controls_.typing = ImGui::GetIO().WantTextInput;
   if (controls_.panels) {
     if (ImGui::BeginMainMenuBar()) {
       menu();

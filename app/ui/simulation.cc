@@ -60,6 +60,14 @@ void Simulation::pause(bool on) {
   enqueue([this, on] { paused_ = on, single_steps_ = 0, debt_ = 0; });
 }
 
+void Simulation::pause_or_run() {
+  enqueue([this] { paused_ = !paused_, single_steps_ = 0, debt_ = 0; });
+}
+
+void Simulation::change_speed(double (*from)(double)) {
+  enqueue([this, from] { speed_ = from(speed_); });
+}
+
 void Simulation::set_speed(double speed) {
   enqueue([this, speed] { speed_ = std::clamp(speed, 0.001, 1000.0); });
 }

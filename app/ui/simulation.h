@@ -67,7 +67,9 @@ class Simulation {
   void restart();
   void restart(const std::map<std::string, double>& parameters);
   void pause(bool);
+  void pause_or_run();
   void set_speed(double);
+  void change_speed(double (*from)(double));
   void step(int n);                // of a paused run
   void select(Body);               // null: nothing
   void show(const view::Detail&);  // what moments hold

@@ -1,12 +1,13 @@
 #include "ui/status.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "main/files.h"
 
 namespace sudar::ui {
 
-void StatusFile::write(const Controls& c, double frames_per_second) {
+void StatusFile::write(const Controls& c, const Window& window, double frames_per_second) {
   ++pictures_;
   const Clock::time_point now = Clock::now();
   if (path_.empty() || !c.moment() || now - last_ < std::chrono::milliseconds(30)) return;
@@ -18,6 +19,16 @@ void StatusFile::write(const Controls& c, double frames_per_second) {
   for (const Params::Entry& p : m.params) parameters[p.name] = p.value;
   nlohmann::ordered_json config = nlohmann::ordered_json::object();
   for (const auto& [path, value] : fields_of(m.config)) config[path] = value;
+  nlohmann::ordered_json shortcuts = nlohmann::ordered_json::array();
+  for (const Binding& b : bindings()) {
+    if (*b.shortcut) shortcuts.push_back(b.shortcut);
+  }
+  float fastest = 0;
+  int asleep = 0;
+  for (const view::Instance& i : m.scene.instances) {
+    fastest = std::max(fastest, i.speed);
+    asleep += i.asleep ? 1 : 0;
+  }
   const nlohmann::ordered_json j = {
       {"scene", m.entry->name},
       {"run", m.run},
@@ -34,10 +45,15 @@ void StatusFile::write(const Controls& c, double frames_per_second) {
       {"selected", c.selected.null() ? -1 : std::int64_t(c.selected.index)},
       {"selected_at",
        m.selected ? nlohmann::ordered_json{m.selected->at.x, m.selected->at.y, m.selected->at.z} : nullptr},
+      {"selected_spin",
+       m.selected ? nlohmann::ordered_json{m.selected->spin.x, m.selected->spin.y, m.selected->spin.z} : nullptr},
       {"dragging", m.spring.has_value()},
       {"recording", m.recording},
       {"filming", c.filming},
       {"eye", {camera.eye.x, camera.eye.y, camera.eye.z}},
+      {"target", {camera.target.x, camera.target.y, camera.target.z}},
+      {"fastest", fastest},
+      {"asleep", asleep},
       {"follow", c.follow},
       {"panels", c.panels},
       {"help", c.help},
@@ -54,6 +70,10 @@ void StatusFile::write(const Controls& c, double frames_per_second) {
       {"message", v.message},
       {"pictures", pictures_},
       {"fps", frames_per_second},
+      {"window", {window.width(), window.height()}},
+      {"fullscreen", window.fullscreen()},
+      {"typing", c.typing},
+      {"shortcuts", shortcuts},
       {"places", c.places.all()},
   };
   app::TextFile file(path_);

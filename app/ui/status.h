@@ -3,13 +3,14 @@
 #pragma once
 
 #include "ui/controls.h"
+#include "ui/window.h"
 
 namespace sudar::ui {
 
 class StatusFile {
  public:
-  explicit StatusFile(std::string path) : path_(std::move(path)) {}  // empty: none
-  void write(const Controls&, double frames_per_second);             // once a picture
+  explicit StatusFile(std::string path) : path_(std::move(path)) {}      // empty: none
+  void write(const Controls&, const Window&, double frames_per_second);  // once a picture
 
  private:
   std::string path_;

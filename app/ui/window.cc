@@ -98,9 +98,11 @@ bool Window::closing() const { return glfwWindowShouldClose(window_); }
 void Window::close() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
 void Window::set_title(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
+bool Window::fullscreen() const { return glfwGetWindowMonitor(window_) != nullptr; }
+
 void Window::toggle_fullscreen() {
   int(&r)[4] = windowed_;
-  if (glfwGetWindowMonitor(window_)) return glfwSetWindowMonitor(window_, nullptr, r[0], r[1], r[2], r[3], 0);
+  if (fullscreen()) return glfwSetWindowMonitor(window_, nullptr, r[0], r[1], r[2], r[3], 0);
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
   if (!monitor) return;
   glfwGetWindowPos(window_, &r[0], &r[1]);

@@ -24,6 +24,7 @@ class Window {
   void close();
   void set_title(const std::string&);
   void toggle_fullscreen();
+  bool fullscreen() const;
   int width() const { return width_; }  // of the framebuffer; 0: minimised
   int height() const { return height_; }
 

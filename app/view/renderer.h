@@ -29,6 +29,7 @@ struct Style {
   bool plain = false;        // simpler light in one pass; then neither occlusion nor samples
 
   void set(Finish);  // the last four
+  bool operator==(const Style&) const = default;
 };
 
 inline Detail needed_for(const Style& s) { return {s.forces, s.boxes, s.cells, s.colouring == Colouring::island}; }
