@@ -35,7 +35,7 @@ class Controls {
   Simulation& simulation() { return simulation_; }
 
   CameraControl camera;
-  view::Style style;
+  view::Style style{.sleep = true};
   view::Scene scene;        // as drawn
   std::int64_t scenes = 0;  // a new number is another scene
   view::Focus focus;        // of the scene when it started

@@ -14,6 +14,7 @@ constexpr ImWchar signs[] = {
     0x0370, 0x03ff,  // Greek
     0x0400, 0x052f,  // Cyrillic
     0x2000, 0x209f,  // dashes, raised and lowered digits
+    0x2100, 0x214f,  // letters as signs
     0x2190, 0x21ff,  // arrows
     0x2200, 0x22ff,  // mathematics
     0x25a0, 0x25ff,  // triangles, squares

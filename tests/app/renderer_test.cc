@@ -1,6 +1,8 @@
 // Pictures are compared by what is seen where (ids) and by mean colours, never pixel by pixel: drivers differ.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <map>
 
 #include "view/offscreen.h"
@@ -111,6 +113,94 @@ TEST_F(Drawing, ContactsAreDrawnOverTheBodies) {
   int reddest = 0;
   for (int dx = -6; dx <= 6; ++dx) reddest = std::max(reddest, int(slip[4 * dx]) - int(slip[4 * dx + 1]));
   EXPECT_GT(reddest, 120);
+}
+
+// The arrow of a force is as long as the scale says, and has the colour of its kind.
+TEST_F(Drawing, ForcesAreArrows) {
+  scene.metres_per_newton = 0.5f;
+  scene.forces = {{ForceMark::Kind::weight, {0, 1, 0}, {0, 6, 0}}};
+  const Image without = offscreen.picture(scene, front(), {}, width, height);
+  const Image with = offscreen.picture(scene, front(), {.forces = true}, width, height);
+  const auto bluer = [&](double metres) {
+    int best = -255;
+    const int row = int(height / 2.0 - metres / 14 / std::tan(0.35) * height / 2);
+    for (int dx = -4; dx <= 4; ++dx) {
+      const std::uint8_t *p = with.pixel(width / 2 + dx, row), *q = without.pixel(width / 2 + dx, row);
+      best = std::max(best, q[0] - p[0]);
+    }
+    return best;
+  };
+  EXPECT_GT(bluer(2.2), 40);
+  EXPECT_LT(bluer(3.6), 10) << "only the sky";
+}
+
+int differing(const Image& a, const Image& b) {
+  int pixels = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); i += 4) {
+    if (std::abs(int(a.rgba[i]) - int(b.rgba[i])) > 30 || std::abs(int(a.rgba[i + 2]) - int(b.rgba[i + 2])) > 30)
+      ++pixels;
+  }
+  return pixels;
+}
+
+TEST_F(Drawing, JointsShowAxesAndLimits) {
+  scene.joints = {
+      {.anchor_a = {0, 1, 0}, .anchor_b = {0, 1, 0}, .center_a = {0, 1, 0}, .center_b = {0, 1, 0}, .size = 2}};
+  const auto picture = [&] { return offscreen.picture(scene, front(), {.joints = true}, width, height); };
+  const Image ball = picture();
+  scene.joints[0].axis = {0, 1, 0};
+  const Image axis = picture();
+  EXPECT_GT(differing(ball, axis), 20);
+  scene.joints[0].freedom = FreedomMark{{0, 0, 1}, {1, 0, 0}, true, -1, 1, 0.2f};
+  EXPECT_GT(differing(axis, picture()), 60) << "a sector";
+  scene.joints[0].freedom = FreedomMark{{1, 0, 0}, {0, 1, 0}, false, -2, 2, 0.5f};
+  EXPECT_GT(differing(axis, picture()), 20) << "a track";
+}
+
+TEST_F(Drawing, BoxesOfTheBroadPhase) {
+  scene.boxes = {{{-5.2, -0.2, -1.2}, {-2.8, 2.2, 1.2}}};
+  scene.cells = {{{-6, -1, -2}, {6, 3, 2}}};
+  const Image plain = offscreen.picture(scene, front(), {}, width, height);
+  const int boxes = differing(plain, offscreen.picture(scene, front(), {.boxes = true}, width, height));
+  const int cells = differing(plain, offscreen.picture(scene, front(), {.cells = true}, width, height));
+  EXPECT_GT(boxes, 40);
+  EXPECT_GT(cells, boxes);
+}
+
+// The fastest body has the brightest colour, bodies of one island have one, and the sleeping differ from the waking.
+TEST_F(Drawing, Colourings) {
+  scene.instances[1].speed = 3.9f, scene.instances[2].speed = 0.1f;
+  scene.instances[1].alone = scene.instances[3].alone = false;
+  scene.instances[1].island = scene.instances[3].island = 7;
+  scene.instances[3].asleep = true;
+  EXPECT_EQ(top_speed(scene), 4);
+  const IdImage ids = offscreen.ids(scene, front(), width, height);
+  const auto colours = [&](Colouring by) {
+    const Image image = offscreen.picture(scene, front(), {.colouring = by}, width, height);
+    return std::array{mean_colour(image, ids, 2), mean_colour(image, ids, 3), mean_colour(image, ids, 4)};
+  };
+  const auto speed = colours(Colouring::speed);
+  EXPECT_GT(speed[0].green, speed[1].green + 60);
+  const auto island = colours(Colouring::island);
+  EXPECT_NEAR(island[0].red - island[0].blue, island[2].red - island[2].blue, 40);
+  const auto sleep = colours(Colouring::sleep);
+  EXPECT_GT(sleep[1].red, sleep[1].blue + 20);
+  EXPECT_LT(sleep[2].red, sleep[2].blue);
+}
+
+// The plain picture is simpler, but of the same things in the same colours.
+TEST_F(Drawing, PlainIsLikeFine) {
+  Style plain, fine;
+  plain.set(Finish::plain), fine.set(Finish::fine);
+  const IdImage ids = offscreen.ids(scene, front(), width, height);
+  const Image a = offscreen.picture(scene, front(), plain, width, height),
+              b = offscreen.picture(scene, front(), fine, width, height);
+  for (const std::uint32_t id : {0u, 2u, 3u, 4u}) {
+    const Mean p = mean_colour(a, ids, id), f = mean_colour(b, ids, id);
+    EXPECT_NEAR(p.red, f.red, 15) << id;
+    EXPECT_NEAR(p.green, f.green, 15) << id;
+    EXPECT_NEAR(p.blue, f.blue, 15) << id;
+  }
 }
 
 TEST_F(Drawing, FramingShowsEveryBodyWhole) {
