@@ -91,6 +91,30 @@ TEST(CurvedBodies, StandOnTheirFlatSidesAndFallAsleep) {
   }
 }
 
+// A can topples beyond atan(2 r/h) = 26.565°, whichever of its four points the slope leads to: a square of points alone
+// would let it go at 19.5°.
+TEST(CurvedBodies, ACanOnASlopeStandsUpToItsRim) {
+  for (const double degrees : {25.0, 28.0}) {
+    for (const double turn : {0.0, 0.4, pi / 4}) {
+      World w;
+      const double a = degrees * pi / 180;
+      w.add(Gravity{.acceleration = {Real(9.81 * std::sin(a)), Real(-9.81 * std::cos(a)), 0}});
+      w.add(plane_floor(5));
+      const Body can = w.add({.shape = cylinder(Real(0.5), 2),
+                              .at = {0, 1, 0},
+                              .turn = axis_angle(Vec3{0, 1, 0}, Real(turn)),
+                              .material = rough(5),
+                              .sleeps = false});
+      step(w, 180);
+      if (degrees < 26) {
+        EXPECT_LT(tilt(w, can), 1e-3) << turn;
+      } else {
+        EXPECT_GT(tilt(w, can), 0.5) << turn;
+      }
+    }
+  }
+}
+
 TEST(CurvedBodies, ATowerOfCansStands) {
   World w;
   w.add(Gravity{});
