@@ -86,7 +86,7 @@ StepCost step_world(World& w, int steps) {
 }
 
 PictureCost measure_pictures(int bodies, int width, int height) {
-  constexpr int pictures = 30, steps = 60;
+  constexpr int pictures = 20, steps = 60;
   World w = make_heap(bodies);
   for (int i = 0; i < 100; ++i) w.step();
   PictureCost cost;

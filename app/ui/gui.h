@@ -1,7 +1,7 @@
 // Dear ImGui, fed from a queue of events. ImGui 1.86 has no queue of its own: it sees the keys and buttons that are
 // down when a picture is made, and on a machine that makes four pictures a second a click with Ctrl, or a word typed
-// quickly, is lost. So every event gets a frame of its own. Frames are cheap (the panels alone, under a millisecond);
-// only the last one before a picture is drawn.
+// quickly, is lost. So every event gets a frame of its own. Such frames are cheap: only the last one before a picture
+// is drawn.
 #pragma once
 
 #include <deque>

@@ -212,6 +212,19 @@ TEST_F(Cli, BadInputIsNamed) {
   }
 }
 
+TEST_F(Cli, BenchMeasuresPictures) {
+  const Result r = sudar("bench --picture --bodies 12 --json");
+  ASSERT_EQ(r.code, 0) << r.err;
+  const Json j = Json::parse(r.out);
+  EXPECT_EQ(j["bodies"], 12);
+  for (const char* finish : {"plain", "fine"}) {
+    EXPECT_GT(j[finish]["ms"].get<double>(), 0);
+    EXPECT_GT(j[finish]["cpu_ms"].get<double>(), 0);
+  }
+  EXPECT_GT(j["step_us"]["alone"].get<double>(), 0);
+  EXPECT_GT(j["step_us"]["beside"].get<double>(), 0);
+}
+
 TEST_F(Cli, APluginThatIsNoneIsRefusedByNameAndTheOthersStay) {
   const fs::path plugins = folder / "plugins",
                  usual = fs::path(SUDAR_PROGRAM).parent_path().parent_path() / "lib/scenarios";
