@@ -10,55 +10,56 @@ namespace sudar::inline SUDAR_PRECISION {
 // One contact point. Velocities and impulses are in the contact's frame: x along the normal from b to a, y and z
 // tangential. Impulses act on a; b gets the opposite.
 struct PointRow {
-  Mat3Lanes arm_a, arm_b;      // ω → velocity of the point in the contact's frame
-  Mat3Lanes turn_a, turn_b;    // I⁻¹ armᵀ: impulse → change of ω
-  Vec3 impulse;                // accumulated, N s
-  Real normal_mass;            // 1 / nᵀKn
-  Real tangent_mass;           // 1 / the larger eigenvalue of K in the tangent plane: one number for both directions,
-                               // because unequal ones would bend the direction of friction
-  Real slide_y, slide_z;       // tangent_mass · Kn: friction that answers a unit normal impulse
+  Mat3Lanes arm_a, arm_b;    // ω → velocity of the point in the contact's frame
+  Mat3Lanes turn_a, turn_b;  // I⁻¹ armᵀ: impulse → change of ω
+  Real4 glide{};             // added to u: how the surfaces move along themselves, x is 0
+  Vec3 impulse;              // accumulated, N s
+  Real normal_mass;          // 1 / nᵀKn
+  Real tangent_mass;         // 1 / the larger eigenvalue of K in the tangent plane: one number for both directions,
+                             // because unequal ones would bend the direction of friction
+  Real slide_y, slide_z;     // tangent_mass · Kn: friction that answers a unit normal impulse
   Real normal_response, tangent_response;  // their inverses
-  Real target;                 // u_n that the contact passes aim at
+  Real target;                             // u_n that the contact passes aim at
   // used once a sub-step
-  Real free_speed;             // min(0, depth/h): approach that closes the gap exactly is allowed
-  Real start;                  // u_n before collisions, m/s
-  Real aim;                    // u_n that the impact at hand leaves, m/s
-  Real unheld;                 // u_n before the joints had their say, m/s
-  Vec3 blow;                   // impulse of the impact at hand, N s
-  Real push = 0;               // accumulated, pseudo
-  Real push_target = 0;        // pseudo speed apart, m/s
-  Vec3 ra, rb;                 // from the centres of mass, world axes, m
-  bool hit = false;            // took part in a collision
+  Real free_speed;       // min(0, depth/h): approach that closes the gap exactly is allowed
+  Real start;            // u_n before collisions, m/s
+  Real aim;              // u_n that the impact at hand leaves, m/s
+  Real unheld;           // u_n before the joints had their say, m/s
+  Vec3 blow;             // impulse of the impact at hand, N s
+  Real push = 0;         // accumulated, pseudo
+  Real push_target = 0;  // pseudo speed apart, m/s
+  Vec3 ra, rb;           // from the centres of mass, world axes, m
+  bool hit = false;      // took part in a collision
 };
 
 // Resistance to rolling and spinning: one row of torque for the whole contact, in the contact's frame (x spins, y and z
 // roll). Its limits are lengths times the normal impulse.
 struct TurnRow {
-  Mat3Lanes turn_a, turn_b;    // I⁻¹ times the frame
-  Real spin_mass, roll_mass;   // 1 / nᵀI⁻¹n, 1 / the larger tangential eigenvalue
-  Vec3 impulse;                // accumulated, N m s
+  Mat3Lanes turn_a, turn_b;   // I⁻¹ times the frame
+  Real spin_mass, roll_mass;  // 1 / nᵀI⁻¹n, 1 / the larger tangential eigenvalue
+  Vec3 impulse;               // accumulated, N m s
 };
 
 struct ManifoldRow {
-  Mat3Lanes to_frame;          // world → contact's frame
-  Mat3Lanes mass_a, mass_b;    // impulse in the contact's frame → change of v: 1/m times the frame
+  Mat3Lanes to_frame;        // world → contact's frame
+  Mat3Lanes mass_a, mass_b;  // impulse in the contact's frame → change of v: 1/m times the frame
   std::uint32_t a, b, contact;
   std::uint32_t count;
-  Real friction;               // static or dynamic, chosen once a sub-step
-  Mat3 frame;                  // columns: normal from b to a, two tangents
+  Real friction;  // static or dynamic, chosen once a sub-step
+  Mat3 frame;     // columns: normal from b to a, two tangents
   PairMaterial material;
   TurnRow turn;
-  bool a_answers, b_answers;   // impulses move it
-  bool struck, owes;           // took part in a collision; joints took a part of its bounce
+  bool a_answers, b_answers;  // impulses move it
+  bool struck, owes;          // took part in a collision; joints took a part of its bounce
   std::array<PointRow, 4> points;
   bool resists_turning() const { return material.rolling > 0 || material.spinning > 0; }
   std::span<PointRow> rows() { return std::span(points).first(count); }
   std::span<const PointRow> rows() const { return std::span(points).first(count); }
 };
 
-// u in the contact's frame, thesis (3.9).
+// u in the contact's frame, thesis (3.9), and what the surfaces add to it.
 inline Real4 relative_velocity(const Moving& a, const Moving& b, const ManifoldRow& m, const PointRow& p) {
-  return m.to_frame * (a.v - b.v) + (p.arm_a * a.w - p.arm_b * b.w);
+  return m.to_frame * (a.v - b.v) + (p.arm_a * a.w - p.arm_b * b.w) + p.glide;
 }
 
 // thesis (3.7), (3.8), (3.10), (3.12)
@@ -70,6 +71,20 @@ inline void apply(Moving& a, Moving& b, const ManifoldRow& m, const PointRow& p,
   b.w -= p.turn_b * step;
 }
 
+// What bodies that spin about the normal change of u_t until the middle of a sub-step of length h. With the velocities
+// of its start, what a turntable carries moves on along the tangent and creeps outward, by ω²rh/2 a second. The contact
+// point keeps its place on the body whose arm is the shorter one: the corner of a box, the lowest point of a ball. It
+// turns with that body's spin, goes where that body goes, and is met there by the other one's surface.
+inline Real4 half_way(const ManifoldRow& m, const PointRow& p, const Moving& a, const Moving& b, Real h) {
+  const Real spin_a = dot(m.frame.c0, vector(a.w)), spin_b = dot(m.frame.c0, vector(b.w));
+  const Vec3 v = vector(m.to_frame * (a.v - b.v));
+  const Vec3 arm_a = vector(m.to_frame * lanes(p.ra)), arm_b = vector(m.to_frame * lanes(p.rb));
+  const bool on_a = square(arm_a.y) + square(arm_a.z) <= square(arm_b.y) + square(arm_b.z);
+  const Vec3 arm = (on_a ? arm_a : arm_b) * ((spin_a - spin_b) * (on_a ? spin_a : spin_b));
+  const Real other = on_a ? spin_b : spin_a;
+  return broadcast(h * Real(0.5)) * Real4{0, other * v.z - arm.y, -other * v.y - arm.z, 0};
+}
+
 inline Real slide(const Vec3& u) { return sqrt(square(u.y) + square(u.z)); }  // the tangential part's length
 
 // 1 / the larger eigenvalue of the tangential block of a symmetric K.
@@ -78,8 +93,8 @@ inline Real tangential_mass(const Mat3& k) {
   return 1 / (mean + sqrt(square((k.c1.y - k.c2.z) * Real(0.5)) + square(k.c1.z)));
 }
 
-// Sets what depends on K alone: thesis (3.11), (3.13) K = (1/m_a + 1/m_b) E − r̃_a I_a⁻¹ r̃_a − r̃_b I_b⁻¹ r̃_b, in the contact's
-// frame.
+// Sets what depends on K alone: thesis (3.11), (3.13) K = (1/m_a + 1/m_b) E − r̃_a I_a⁻¹ r̃_a − r̃_b I_b⁻¹ r̃_b, in the
+// contact's frame.
 inline void prepare_masses(PointRow& p, const Mat3& to_frame, const SolverBody& a, const SolverBody& b) {
   const Mat3 arm_a = to_frame * Mat3::skew(-p.ra), arm_b = to_frame * Mat3::skew(-p.rb);
   const Mat3 turn_a = a.inverse_inertia * transpose(arm_a), turn_b = b.inverse_inertia * transpose(arm_b);

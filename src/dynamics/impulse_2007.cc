@@ -131,16 +131,11 @@ class SubStep {
     }
     const Vec3 to_shape = rotate(bodies_.orientation[c.a], bodies_.shape_frame[c.a].p);
     const Vec3 apart = bodies_.position[c.a] - bodies_.position[c.b];
-    // As far as a body spins about the normal, its arms are those of the middle of the sub-step. With those of the start,
-    // what a turntable carries moves on along the tangent and creeps outward, by ω²rh/2 a second.
-    const Vec3 half_turn_a = n * (dot(n, vector(a.real.w)) * h_ * Real(0.5)), half_turn_b = n * (dot(n, vector(b.real.w)) * h_ * Real(0.5));
     for (std::size_t k = 0; k < m.count; ++k) {
       const ManifoldPoint& from = manifold.points[k];
       PointRow& p = m.points[k] = PointRow{};
       p.ra = from.at + to_shape;
       p.rb = p.ra + apart;
-      p.ra += cross(half_turn_a, p.ra);
-      p.rb += cross(half_turn_b, p.rb);
       prepare_masses(p, to_frame, a, b);
       const Real depth = -from.separation;
       p.free_speed = min(Real(0), depth / h_);
@@ -335,7 +330,7 @@ class SubStep {
 
   // Static or dynamic friction is decided once a sub-step, since a decision inside the passes flickers. Who stuck goes
   // on sticking until the static cone was reached; who slipped sticks again once it is slow. Speed alone must not decide:
-  // the foot of a turning body seems to move by ω²rh, only because its arm turned during the last sub-step.
+  // the foot of a turning body seems to move by ω²rh/2, only because its arm turned during the last sub-step.
   Real choose_friction(const ManifoldRow& m) {
     const auto rows = m.rows();
     const bool held = std::any_of(rows.begin(), rows.end(), [](const PointRow& p) { return p.impulse.x > 0; });
@@ -357,6 +352,7 @@ class SubStep {
         const Real bounce = -m.material.restitution * p.start;
         p.target = p.free_speed;
         if (p.hit && bounce > g_ * h_) p.target = min(Real(relative_velocity(a, b, m, p)[0]), bounce);
+        p.glide += half_way(m, p, a, b, h_);
         if (p.hit && -p.start > hardest) hardest = -p.start, where = &p;
       }
       if (where != nullptr && hardest > 2 * g_ * h_) report_.hits.push_back({m.contact, where->ra, hardest});
