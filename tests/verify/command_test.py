@@ -13,7 +13,8 @@ import sys
 import tempfile
 
 program = sys.argv[1]
-known = set(re.findall(r'"(V\w+)"', (pathlib.Path(__file__).parent / "known_failures.h").read_text()))
+header = (pathlib.Path(__file__).parent / "known_failures.h").read_text()
+known = set(re.findall(r'"(V\w+)"', header.partition("known_in_double")[0]))
 KEYS = ["id", "name", "solver", "quantity", "unit", "parameters", "exact", "got", "error", "tolerance", "pass", "seconds"]
 failures = []
 
