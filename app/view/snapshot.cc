@@ -72,9 +72,13 @@ void add_joint(Scene& scene, const World& world, const JointView& joint) {
         };
         mark.center_a = end(d.a, mark.anchor_a);
         mark.center_b = end(d.b, mark.anchor_b);
-        if constexpr (requires { d.at_a; }) {  // a bar or a rope
-          const float size = max(size_of(world, d.a), size_of(world, d.b));
-          scene.links.push_back({mark.anchor_a, mark.anchor_b, thickness * size});
+        const float wide = thickness * max(size_of(world, d.a), size_of(world, d.b));
+        if constexpr (requires { d.over_a; }) {  // a rope over pulleys
+          scene.links.push_back({mark.anchor_a, d.over_a, wide});
+          scene.links.push_back({d.over_a, d.over_b, wide});
+          scene.links.push_back({d.over_b, mark.anchor_b, wide});
+        } else if constexpr (requires { d.at_a; }) {  // a bar or a rope
+          scene.links.push_back({mark.anchor_a, mark.anchor_b, wide});
         }
         add_axis(mark, joint, d);
       },

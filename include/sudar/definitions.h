@@ -125,13 +125,18 @@ enum class DriveMode : std::uint8_t {
   off,
   speed,   // `target` is a speed, m/s or rad/s
   servo,   // `target` is a coordinate, m or rad; approached as fast as the force lets it stop there
+  spring,  // `target` is a coordinate; pulled there by stiffness · (target − coordinate) − damping · rate, implicitly
 };
-inline const char* const* names(DriveMode) { static constexpr const char* n[] = {"off", "speed", "servo", nullptr}; return n; }
+inline const char* const* names(DriveMode) {
+  static constexpr const char* n[] = {"off", "speed", "servo", "spring", nullptr};
+  return n;
+}
 struct Drive {
   DriveMode mode = DriveMode::off;
   Real target = 0;
   Real force = 0;
   Real max_speed = std::numeric_limits<Real>::infinity();  // of a servo, m/s or rad/s
+  Real stiffness = 0, damping = 0;                         // of a spring, N/m and N s/m, or N m/rad and N m s/rad
 };
 template <class V, Like<Drive> T>
 void describe(V& v, T& d) {
@@ -139,6 +144,7 @@ void describe(V& v, T& d) {
   v("target", d.target, any);
   v("force", d.force, or_infinite);
   v("max_speed", d.max_speed, or_infinite);
+  v("stiffness", d.stiffness, not_negative), v("damping", d.damping, not_negative);
 }
 
 struct Bar {  // keeps the distance between two points: thesis (3.22)
@@ -190,7 +196,22 @@ struct Muscle {  // drives the distance between two points
   Drive drive{};
   bool collide = false;
 };
-using JointDef = std::variant<Bar, Rope, Ball, Hinge, Slider, Fixed, Plane, Muscle>;
+struct Pulley {  // a rope from a over two points of the world to b: |at_a − over_a| + ratio |at_b − over_b| ≤ length
+  Body a{}, b{};
+  Pos at_a{}, over_a{}, over_b{}, at_b{};
+  Real ratio = 1;   // of a block and tackle: b rises by 1/ratio of what a sinks
+  Real length = 0;  // m; 0: that at creation
+  bool collide = false;
+};
+struct Reel {  // a rope from a that winds on an axle of b, without slipping; taut at creation
+  Body a{}, b{};
+  Pos at_a{};              // where it is tied
+  Pos at{};                // on the axle's line
+  Vec3 axis{0, 0, 1};      // of the axle; b turning about it in the positive sense lets rope out
+  Real radius = Real(0.1); // of the axle, m
+  bool collide = false;
+};
+using JointDef = std::variant<Bar, Rope, Ball, Hinge, Slider, Fixed, Plane, Muscle, Pulley, Reel>;
 
 template <class V, Like<Bar> T>
 void describe(V& v, T& d) {
@@ -210,6 +231,19 @@ void describe(V& v, T& d) {
   v("a", d.a, any), v("b", d.b, any);
   v("at_a", d.at_a, any), v("at_b", d.at_b, any);
   v("drive", d.drive, any);
+  v("collide", d.collide, any);
+}
+template <class V, Like<Pulley> T>
+void describe(V& v, T& d) {
+  v("a", d.a, any), v("b", d.b, any);
+  v("at_a", d.at_a, any), v("over_a", d.over_a, any), v("over_b", d.over_b, any), v("at_b", d.at_b, any);
+  v("ratio", d.ratio, positive), v("length", d.length, not_negative);
+  v("collide", d.collide, any);
+}
+template <class V, Like<Reel> T>
+void describe(V& v, T& d) {
+  v("a", d.a, any), v("b", d.b, any);
+  v("at_a", d.at_a, any), v("at", d.at, any), v("axis", d.axis, unit_length), v("radius", d.radius, positive);
   v("collide", d.collide, any);
 }
 template <class V, class T>

@@ -53,7 +53,7 @@ bool JointSolve::bounded() const { return drive_.present || near_limit_; }
 void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, const SolverBodies& on, Real h) {
   const JointImpulse& stored = joints.impulse[joint_];
   Real& coordinate = joints.coordinate[joint_];
-  coordinate = demands.angle ? unwind(coordinate, demands.value) : demands.value;
+  coordinate = unwind(coordinate, demands.value, demands.period);
   const auto bound = [&](BoundedRow& row, Real impulse, Real low, Real high) {
     row.row = {demands.rate, on[a], on[b]};
     row.present = has_bounds_ = true;
@@ -81,7 +81,20 @@ void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, co
   const Drive* drive = drive_of(joints.definition[joint_]);
   if (drive == nullptr || drive->mode == DriveMode::off || !(drive->force > 0)) return;
   bound(drive_, stored.drive, -drive->force * h, drive->force * h);
-  drive_.target = drive->mode == DriveMode::speed ? drive->target : servo_speed(*drive, coordinate, drive_.mass, h);
+  switch (drive->mode) {
+    case DriveMode::off: break;
+    case DriveMode::speed: drive_.target = drive->target; break;
+    case DriveMode::servo: drive_.target = servo_speed(*drive, coordinate, drive_.mass, h); break;
+    case DriveMode::spring: {
+      // λ = h (k (target − x − h u) − c u), solved for u.
+      const Real stiff = h * drive->stiffness, resistance = h * (stiff + drive->damping);
+      drive_.softness = resistance > 0 ? 1 / resistance : Real(0);
+      drive_.target = drive_.softness * stiff * (drive->target - coordinate);
+      drive_.mass = 1 / (1 / drive_.mass + drive_.softness);
+      if (!(resistance > 0)) drive_.present = false;
+      break;
+    }
+  }
 }
 
 void JointSolve::prepare_visits(const JointPull& pull) {
@@ -161,7 +174,7 @@ Real JointSolve::hold(SolverBodies& on) {
   Moving on_a = on[a].real, on_b = on[b].real;
   Real change = 0;
   each_bound([&](BoundedRow& row) {
-    const Real left = row.target - row.row.speed(on_a, on_b);
+    const Real left = row.target - row.row.speed(on_a, on_b) - row.softness * row.impulse;
     const Real total = clamp(row.impulse + left * row.mass, row.low, row.high);
     row.row.apply(on_a, on_b, total - row.impulse);
     change = max(change, abs(total - row.impulse) / row.mass);

@@ -50,6 +50,7 @@ class JointSolve {
     bool present = false;
     Real mass = 0, impulse = 0, low = 0, high = 0;  // impulse within low…high
     Real target = 0;                                // rate that it aims at
+    Real softness = 0;                              // of a spring: it gives way by this rate per impulse
     Real push = 0, excess = 0;                      // excess: how far beyond the limit
   };
   void set_rows(const JointRows& demands, const SolverBodies& on);

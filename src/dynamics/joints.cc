@@ -19,7 +19,7 @@ struct Assembly {
         ...);
     if constexpr (!std::is_same_v<Coordinate, Nothing>) {
       out.free = true;
-      out.angle = Coordinate::angle;
+      out.period = Coordinate::period(f);
       out.rate = Coordinate::row(f);
       out.value = Coordinate::value(f);
     }
@@ -44,6 +44,10 @@ template <>
 struct PartsOf<Plane> : Assembly<Nothing, Offset> {};
 template <>
 struct PartsOf<Muscle> : Assembly<Span> {};
+template <>
+struct PartsOf<Pulley> : Assembly<Detour> {};
+template <>
+struct PartsOf<Reel> : Assembly<Winding> {};
 
 // The joint's frame in world axes at creation: x along its axis.
 Quat basis_along(const Vec3& axis) {
@@ -57,6 +61,7 @@ struct Placement {
   Pos at_a, at_b;
   Vec3 axis{1, 0, 0};
   Limit limit;
+  bool taut = false;  // the coordinate may not exceed that at creation
 };
 Placement placement(const Bar& d) { return {d.at_a, d.at_b, {1, 0, 0}, {distance(d.at_a, d.at_b), 0}}; }
 Placement placement(const Rope& d) {
@@ -66,6 +71,10 @@ Placement placement(const Ball& d) { return {d.at, d.at, {1, 0, 0}, {}}; }
 Placement placement(const Fixed& d) { return {d.at, d.at, {1, 0, 0}, {}}; }
 Placement placement(const Plane& d) { return {d.at, d.at, d.normal, {}}; }
 Placement placement(const Muscle& d) { return {d.at_a, d.at_b, {1, 0, 0}, {}}; }
+Placement placement(const Pulley& d) {
+  return {d.at_a, d.at_b, {1, 0, 0}, {-Limit{}.high, d.length}, d.length == 0};
+}
+Placement placement(const Reel& d) { return {d.at_a, d.at, d.axis, {}, true}; }
 Placement placement(const Hinge& d) { return {d.at, d.at, d.axis, d.limit}; }
 Placement placement(const Slider& d) { return {d.at, d.at, d.axis, d.limit}; }
 
@@ -87,6 +96,12 @@ JointFrame frame_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
   f.basis_a = matrix(f.turn_a);
   f.basis_b = matrix(f.turn_b);
   f.length = j.limit[i].low;  // of a bar
+  if (const auto* pulley = std::get_if<Pulley>(&j.definition[i])) {
+    f.reach_a = anchor_a(j, bodies, i) - pulley->over_a;
+    f.reach_b = anchor_b(j, bodies, i) - pulley->over_b;
+    f.ratio = pulley->ratio;
+  }
+  if (const auto* reel = std::get_if<Reel>(&j.definition[i])) f.radius = reel->radius;
   return f;
 }
 
@@ -116,6 +131,7 @@ std::uint32_t Joints::add(const JointDef& def, const Bodies& bodies) {
   attach(b[i], p.at_b, anchor_b[i], basis_b[i]);
   limit[i] = p.limit;
   coordinate[i] = rows_of(*this, bodies, i).value;
+  if (p.taut) limit[i].high = coordinate[i];
   return i;
 }
 
@@ -143,13 +159,14 @@ JointRows rows_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
 Real gap_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
   const JointRows rows = rows_of(j, bodies, i);
   Real sum = 0;
-  if (rows.free && !rows.angle) {
+  if (rows.free && rows.rate.linear_a != Vec3{}) {
     const Limit& limit = j.limit[i];
-    sum = square(max(Real(0), max(limit.low - rows.value, rows.value - limit.high)));
+    const Real value = unwind(j.coordinate[i], rows.value, rows.period);
+    sum = square(max(Real(0), max(limit.low - value, value - limit.high)));
   }
   for (int k = 0; k < rows.count; ++k) {
     const Row& row = rows.rows[std::size_t(k)];
-    if (row.linear != Vec3{}) sum += square(row.error);
+    if (row.linear_a != Vec3{}) sum += square(row.error);
   }
   return sqrt(sum);
 }
@@ -162,9 +179,8 @@ const Drive* drive_of(const JointDef& def) {
 }
 Drive* drive_of(JointDef& def) { return const_cast<Drive*>(drive_of(std::as_const(def))); }
 
-Real unwind(Real previous, Real value) {
-  const Real turn = Real(2 * pi);
-  return value + turn * std::round((previous - value) / turn);
+Real unwind(Real previous, Real value, Real period) {
+  return period > 0 ? value + period * std::round((previous - value) / period) : value;
 }
 
 void write(Writer& w, const Joints& j) {

@@ -46,9 +46,9 @@ struct JointRows {
   std::array<Row, 6> rows;
   int count = 0;
   bool free = false;   // has a coordinate
-  bool angle = false;  // which is an angle, in −2π…2π here
   Row rate;            // the coordinate's rate
-  Real value = 0;      // and value
+  Real value = 0;      // and value, which repeats after
+  Real period = 0;     // 0: never
 };
 JointRows rows_of(const Joints&, const Bodies&, std::uint32_t i);
 
@@ -58,8 +58,8 @@ Real gap_of(const Joints&, const Bodies&, std::uint32_t i);
 // The servo or motor of a joint, null where its kind has none.
 const Drive* drive_of(const JointDef&);
 Drive* drive_of(JointDef&);
-// The coordinate next to `previous` that has the same angle as `value`.
-Real unwind(Real previous, Real value);
+// The coordinate next to `previous` that is `value` or whole periods away from it.
+Real unwind(Real previous, Real value, Real period);
 
 // Fields that all kinds of joints have.
 inline Body body_a(const JointDef& def) { return std::visit([](const auto& d) { return d.a; }, def); }

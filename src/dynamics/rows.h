@@ -1,5 +1,5 @@
 // Velocity rows: the common form of everything that joints demand. One row says
-//   u = linear·(v_a − v_b) + angular_a·ω_a − angular_b·ω_b,   impulse λ: a gets +λ, b gets −λ along the same
+//   u = linear_a·v_a − linear_b·v_b + angular_a·ω_a − angular_b·ω_b,   impulse λ: a gets +λ, b gets −λ along the same
 //   directions.
 #pragma once
 
@@ -38,7 +38,7 @@ class SolverBodies {
 };
 
 struct Row {
-  Vec3 linear, angular_a, angular_b;
+  Vec3 linear_a, linear_b, angular_a, angular_b;
   Real error = 0;  // how far the position is from the row's aim, in its unit
 };
 
@@ -53,10 +53,10 @@ struct PreparedRow {
 
   PreparedRow() = default;
   PreparedRow(const Row& row, const SolverBody& on_a, const SolverBody& on_b)
-      : a(side(row.linear, row.angular_a, on_a)), b(side(-row.linear, -row.angular_b, on_b)), error(row.error) {}
+      : a(side(row.linear_a, row.angular_a, on_a)), b(side(-row.linear_b, -row.angular_b, on_b)), error(row.error) {}
 
   Real speed(const Moving& on_a, const Moving& on_b) const {
-    return sum(a.linear * (on_a.v - on_b.v) + (a.angular * on_a.w + b.angular * on_b.w));
+    return sum((a.linear * on_a.v + b.linear * on_b.v) + (a.angular * on_a.w + b.angular * on_b.w));
   }
   void apply(Moving& on_a, Moving& on_b, Real impulse) const {
     const Real4 all = broadcast(impulse);

@@ -54,7 +54,8 @@ void check_body(const BodyDef& def) {
 // --- joints ---
 
 const char* kind_of(const JointDef& def) {
-  constexpr const char* names[] = {"bar", "rope", "ball", "hinge", "slider", "fixed", "plane", "muscle"};
+  constexpr const char* names[] = {"bar",   "rope",  "ball",   "hinge",  "slider",
+                                   "fixed", "plane", "muscle", "pulley", "reel"};
   return names[def.index()];
 }
 
@@ -75,8 +76,12 @@ void check_anchors(const std::string& kind, const JointDef& def, const Bodies& b
   };
   std::visit(
       [&](const auto& d) {
-        if constexpr (requires { d.at; }) check("at", d.a, d.at), check("at", d.b, d.at);
-        else check("at_a", d.a, d.at_a), check("at_b", d.b, d.at_b);
+        if constexpr (requires { d.at, d.at_a; })
+          check("at_a", d.a, d.at_a), check("at", d.b, d.at);
+        else if constexpr (requires { d.at; })
+          check("at", d.a, d.at), check("at", d.b, d.at);
+        else
+          check("at_a", d.a, d.at_a), check("at_b", d.b, d.at_b);
       },
       def);
 }
@@ -95,6 +100,10 @@ void check_joint(const JointDef& def, const Bodies& bodies) {
         if constexpr (requires { d.limit; }) check_limit(d.limit, kind + ".limit");
       },
       def);
+  if (const auto* reel = std::get_if<Reel>(&def)) {
+    const Vec3 away = reel->at_a - reel->at, across = away - reel->axis * dot(reel->axis, away);
+    if (!(length(across) > reel->radius)) throw Error("reel.at_a", "lies within the axle");
+  }
   if (const auto* bar = std::get_if<Bar>(&def); bar != nullptr && bar->at_a == bar->at_b) {
     throw Error("bar.at_b", "is the same point as at_a: use a ball joint");
   }

@@ -131,7 +131,7 @@ Real JointView::gap() const { return gap_of(world_->impl().joints, world_->impl(
 Real JointView::coordinate() const {
   const Joints& j = world_->impl().joints;
   const JointRows rows = rows_of(j, world_->impl().bodies, index_);
-  return rows.angle ? unwind(j.coordinate[index_], rows.value) : rows.value;
+  return unwind(j.coordinate[index_], rows.value, rows.period);
 }
 Wrench JointView::load() const {
   const World::Impl& w = world_->impl();
@@ -142,7 +142,7 @@ Wrench JointView::load() const {
   const Vec3 arm = b == no_body ? Vec3{} : rotate(w.bodies.orientation[b], w.joints.anchor_b[index_]);
   const auto add = [&](const Row& row, Real lambda) {
     if (w.h <= 0) return;
-    const Vec3 force = row.linear * (-lambda / Real(w.h));
+    const Vec3 force = row.linear_b * (-lambda / Real(w.h));
     on_b.force += force;
     on_b.torque += row.angular_b * (-lambda / Real(w.h)) - cross(arm, force);
   };

@@ -194,4 +194,64 @@ TEST(Muscle, LiftsAndHolds) {
 }
 
 }
+
+// A spring obeys the implicit recursion v ← (m v + h k (target − x))/(m + h c + h² k), and no more than its force.
+TEST(Spring, IsImplicit) {
+  const double h = 0.01, k = 40, c = 3, m = 2;
+  World w(steady(h));
+  const Body b = w.add({.shape = box({1, 1, 1}), .mass = m});
+  const Drive spring{.mode = DriveMode::spring, .target = 1, .force = 1000, .stiffness = Real(k), .damping = Real(c)};
+  const Joint j = w.join(Slider{.b = b, .axis = x_axis, .drive = spring});
+  double x = 0, v = 0;
+  for (int i = 0; i < 200; ++i) {
+    w.step();
+    v = (m * v + h * k * (1 - x)) / (m + h * c + h * h * k);
+    x += h * v;
+    ASSERT_NEAR(w[b].center().x, x, 2e-5);
+  }
+  w.set_drive(j, {.mode = DriveMode::spring, .target = 100, .force = 4, .stiffness = Real(k)});
+  const double before = w[b].velocity().x;
+  step(w, 10);
+  EXPECT_NEAR(w[b].velocity().x - before, 4 / m * 0.1, 1e-4);
+}
+
+// A block and tackle: with ratio 2 a weight holds the double one, and a moves twice as fast as b.
+TEST(Pulley, IsABlockAndTackle) {
+  World w(steady(0.01));
+  w.add(Gravity{});
+  const Body a = w.add({.shape = sphere(1), .at = {-3, 0, 0}, .mass = 1});
+  const Body b = w.add({.shape = sphere(1), .at = {3, 0, 0}, .mass = 2});
+  const Joint j = w.join(Pulley{
+      .a = a, .b = b, .at_a = {-3, 0, 0}, .over_a = {-3, 9, 0}, .over_b = {3, 9, 0}, .at_b = {3, 0, 0}, .ratio = 2});
+  step(w, 100);
+  EXPECT_NEAR(w[a].center().y, 0, 1e-4);
+  EXPECT_NEAR(w[b].center().y, 0, 1e-4);
+  expect_near(w[j].load().force, Vec3d{0, 2 * 9.81, 0}, 1e-3);
+  w.set_velocity(a, {0, -2, 0}, {});
+  w.set_velocity(b, {0, 1, 0}, {});
+  step(w, 100);
+  EXPECT_NEAR(w[a].velocity().y, -2, 1e-3);
+  EXPECT_NEAR(w[b].velocity().y, 1, 1e-3);
+  w.set_velocity(a, {0, 3, 0}, {});  // slack: both fall freely
+  step(w, 10);
+  EXPECT_NEAR(w[a].velocity().y, 3 - 0.981, 1e-3);
+}
+
+// What a yo-yo's rope lets out, its turning gives, through whole turns of the axle.
+TEST(Reel, LetsOutWhatTheAxleTurns) {
+  World w(steady(0.005));
+  w.add(Gravity{});
+  const double r = 0.25;
+  const Body b = w.add({.shape = sphere(1), .at = {Real(-r), 0, 0}, .mass = 1});
+  const Joint j = w.join(Reel{.b = b, .at_a = {0, 2, 0}, .at = {Real(-r), 0, 0}, .axis = z_axis, .radius = Real(r)});
+  double turned = 0;
+  for (int i = 0; i < 400; ++i) {
+    w.step();
+    turned += w[b].spin().z * 0.005;
+  }
+  EXPECT_GT(turned, 3 * pi);
+  EXPECT_NEAR(-w[b].center().y, r * turned, 1e-3 * r * turned);
+  EXPECT_LT(w[j].gap(), 1e-3);
+}
+
 }

@@ -25,7 +25,7 @@ struct Net {
     joints.push_back({a, b, count});
     const auto body = [&](std::uint32_t i) { return i == JointSystem::nobody ? SolverBody{} : bodies[i]; };
     std::vector<PreparedRow> own;
-    for (int r = 0; r < count; ++r) own.push_back({Row{vec(), vec(), vec()}, body(a), body(b)});
+    for (int r = 0; r < count; ++r) own.push_back({Row{vec(), vec(), vec(), vec()}, body(a), body(b)});
     rows.push_back(own);
   }
 

@@ -182,6 +182,10 @@ TEST(Definitions, Joints) {
       {"slider.drive.target", [](Scene& s) { s.w.join(Slider{.a = s.a, .drive = {.target = infinity}}); }},
       {"slider.drive.max_speed", [](Scene& s) { s.w.join(Slider{.a = s.a, .drive = {.max_speed = nan}}); }},
       {"slider.drive.mode", [](Scene& s) { s.w.join(Slider{.a = s.a, .drive = {.mode = DriveMode(9)}}); }},
+      {"slider.drive.stiffness", [](Scene& s) { s.w.join(Slider{.a = s.a, .drive = {.stiffness = -1}}); }},
+      {"pulley.ratio", [](Scene& s) { s.w.join(Pulley{.a = s.a, .b = s.b, .ratio = 0}); }},
+      {"reel.radius", [](Scene& s) { s.w.join(Reel{.b = s.b, .at_a = {0, 9, 0}, .radius = -1}); }},
+      {"reel.at_a", [](Scene& s) { s.w.join(Reel{.b = s.b, .at_a = {0, Real(0.5), 0}, .radius = 1}); }},
       {"rope.length", [](Scene& s) { s.w.join(Rope{.a = s.a, .length = -1}); }},
       {"bar.at_b",
        [](Scene& s) {
