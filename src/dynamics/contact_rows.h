@@ -71,15 +71,25 @@ inline void apply(Moving& a, Moving& b, const ManifoldRow& m, const PointRow& p,
   b.w -= p.turn_b * step;
 }
 
+// Whose points they are, for half_way(): one answer for all of them. Some on a and others on b would push a coin sideways
+// that spins where the middle of the floor happens to be.
+inline bool points_are_a_s(const ManifoldRow& m) {
+  Real longer = 0;  // how much the arms of a are, squared and along the surface
+  for (const PointRow& p : m.rows()) {
+    longer += length_squared(p.ra) - square(dot(m.frame.c0, p.ra));
+    longer -= length_squared(p.rb) - square(dot(m.frame.c0, p.rb));
+  }
+  return longer <= 0;
+}
+
 // What bodies that spin about the normal change of u_t until the middle of a sub-step of length h. With the velocities
 // of its start, what a turntable carries moves on along the tangent and creeps outward, by ω²rh/2 a second. The contact
-// point keeps its place on the body whose arm is the shorter one: the corner of a box, the lowest point of a ball. It
-// turns with that body's spin, goes where that body goes, and is met there by the other one's surface.
-inline Real4 half_way(const ManifoldRow& m, const PointRow& p, const Moving& a, const Moving& b, Real h) {
+// points keep their places on the body whose arms are the shorter ones: the corners of a box, the lowest point of a ball.
+// They turn with that body's spin, go where that body goes, and are met there by the other one's surface.
+inline Real4 half_way(const ManifoldRow& m, const PointRow& p, bool on_a, const Moving& a, const Moving& b, Real h) {
   const Real spin_a = dot(m.frame.c0, vector(a.w)), spin_b = dot(m.frame.c0, vector(b.w));
   const Vec3 v = vector(m.to_frame * (a.v - b.v));
   const Vec3 arm_a = vector(m.to_frame * lanes(p.ra)), arm_b = vector(m.to_frame * lanes(p.rb));
-  const bool on_a = square(arm_a.y) + square(arm_a.z) <= square(arm_b.y) + square(arm_b.z);
   const Vec3 arm = (on_a ? arm_a : arm_b) * ((spin_a - spin_b) * (on_a ? spin_a : spin_b));
   const Real other = on_a ? spin_b : spin_a;
   return broadcast(h * Real(0.5)) * Real4{0, other * v.z - arm.y, -other * v.y - arm.z, 0};

@@ -348,11 +348,12 @@ class SubStep {
       const Moving &a = body(m.a).real, &b = body(m.b).real;
       Real hardest = 0;
       const PointRow* where = nullptr;
+      const bool on_a = points_are_a_s(m);
       for (PointRow& p : m.rows()) {
         const Real bounce = -m.material.restitution * p.start;
         p.target = p.free_speed;
         if (p.hit && bounce > g_ * h_) p.target = min(Real(relative_velocity(a, b, m, p)[0]), bounce);
-        p.glide += half_way(m, p, a, b, h_);
+        p.glide += half_way(m, p, on_a, a, b, h_);
         if (p.hit && -p.start > hardest) hardest = -p.start, where = &p;
       }
       if (where != nullptr && hardest > 2 * g_ * h_) report_.hits.push_back({m.contact, where->ra, hardest});
