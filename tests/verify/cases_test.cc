@@ -2,9 +2,12 @@
 // bites.
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
+#include <sstream>
 
 #include "verify/known_failures.h"
+#include "verify/peers.h"
 #include "verify/runner.h"
 
 using namespace sudar;
@@ -39,6 +42,21 @@ TEST(Cases, BiteWithoutTheirPhysics) {
     if (r.of->run == nullptr) continue;
     EXPECT_NE(std::string(r.of->without), "") << r.of->id << " does not say what may be taken away";
     EXPECT_FALSE(r.passed()) << r.of->id << " passes without " << r.of->without;
+  }
+}
+
+// The report and the page for readers hold the same table.
+TEST(Cases, OtherEnginesAreAsInTheDocs) {
+  std::ostringstream page;
+  page << std::ifstream(SUDAR_SOURCE "/docs/verification.md").rdbuf();
+  for (const PeerRow& row : peer_rows()) {
+    ASSERT_EQ(row.values.size(), peer_columns().size()) << row.engine;
+    std::string line = std::string("| ") + row.engine + " |";
+    for (const char* value : row.values) line += std::string(" ") + value + " |";
+    EXPECT_NE(page.str().find(line), std::string::npos) << "docs/verification.md lacks " << line;
+  }
+  for (const PeerColumn& column : peer_columns()) {
+    EXPECT_NE(our_value(column, run_cases({.cases = {column.id}})), "–") << column.title << " is not measured any more";
   }
 }
 

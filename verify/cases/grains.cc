@@ -41,7 +41,7 @@ std::vector<Body> fill(World& w, int n, double width, double y, const Material& 
 
 // V47. A slice of grains between smooth walls, on a rough floor, loses its right side and slides out; the slope that stays
 // is the angle of repose. (A heap of some hundred grains on a table is steeper by 10°: it is too low.)
-void angle_of_repose(Run& run) {
+std::vector<std::pair<double, double>> slope_that_stays(Run& run, std::uint32_t seed) {
   const double length = run["length"], thick = 3.3;
   World w(run.config());
   add_gravity(w, standard_gravity);
@@ -52,7 +52,7 @@ void angle_of_repose(Run& run) {
     for (int k = -1; k <= 1; ++k) w.add({.shape = sphere(0.5), .at = {i + 0.5, 0, 1.1 * k}, .material = m, .motion = Motion::fixed});
   }
   const Body gate = w.add({.shape = box({1, Real(2 * length), Real(thick)}), .at = {length + 0.5, length, 0}, .material = smooth, .motion = Motion::fixed});
-  Random random{std::uint32_t(run["seed"])};
+  Random random{seed};
   const int columns = int(length / 1.2), layer = 2 * columns;
   std::vector<Body> grains;
   for (int i = 0; i < int(run["grains"]); ++i) {
@@ -75,13 +75,24 @@ void angle_of_repose(Run& run) {
     const auto [cell, first] = highest.try_emplace(int(p.x), p);
     if (!first && cell->second.y < p.y) cell->second = p;
   }
-  Plot& plot = run.plot("Slope", "x [d]", "height [d]");
+  std::vector<std::pair<double, double>> profile;
   for (const auto& [cell, p] : highest) {
-    if (cell >= 1 && cell < int(length) - 2) plot.simulation.emplace_back(p.x, p.y);
+    if (cell >= 1 && cell < int(length) - 2) profile.emplace_back(p.x, p.y);
   }
-  const double fall = std::tan(22.5 * pi / 180);
+  return profile;
+}
+
+void angle_of_repose(Run& run) {
+  Plot& plot = run.plot("Slopes", "x [d]", "height [d]");
+  const double length = run["length"], fall = std::tan(22.5 * pi / 180);
   plot.theory = {{0, length * fall}, {length, 0}};
-  run.check("angle of repose, range 20 … 25", "°", 22.5, std::atan(-slope(plot.simulation)) * 180 / pi, 2.5);
+  double angle = 0;
+  for (const std::uint32_t i : {0u, 1u}) {
+    const auto profile = slope_that_stays(run, std::uint32_t(run["seed"]) + i);
+    angle += std::atan(-slope(profile)) * 180 / pi / 2;
+    plot.simulation.insert(plot.simulation.end(), profile.begin(), profile.end());
+  }
+  run.check("angle of repose, mean of two, range 20 … 25", "°", 22.5, angle, 2.5);
 }
 
 // V48. What runs out of a round hole: W = 0.58 ρ √g (D − 1.4 d)^⁵⁄₂, whatever the filling (Beverloo).
@@ -241,7 +252,7 @@ std::vector<Case> grains() {
        .formula = "20° … 25° for balls with μ = 0.5 that nothing keeps from rolling",
        .source = "measured range, e.g. Zhou et al., Powder Technol. 125 (2002) 45",
        .parameters = {{"length", 14, 8, 100, "d"}, {"grains", 500, 50, 1e5, "1"}, {"friction", 0.5, 0.1, 1, "1"}, {"seed", 1, 0, 1e9, "1"}},
-       .sets = {{"another seed", {{"seed", 2}}}},
+       .sets = {{"other seeds", {{"seed", 3}}}},
        .run = angle_of_repose,
        .without = "friction",
        .effort = Effort::normal},
