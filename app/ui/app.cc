@@ -50,13 +50,13 @@ class App {
   double frame_length() const { return controls_.view().paused && events_left_ == 0 ? 1.0 / 30 : 1.0 / 60; }
 
   void draw() {
-    controls_.look(simulation_.view(), double(area_.width) / std::max(1, area_.height));
+    controls_.look(simulation_.view(), double(controls_.area.width) / std::max(1, controls_.area.height));
     draw_panels();
     while (gui_.pending()) gui_.end(), draw_panels();
     events_left_ = std::max(0, events_left_ - 1);
-    if (area_.width > 0 && area_.height > 0 && controls_.moment()) {
+    if (controls_.area.width > 0 && controls_.area.height > 0 && controls_.moment()) {
       draw_scene();
-      canvas_->show(area_.x, window_.height() - area_.y - area_.height);
+      canvas_->show(controls_.area.x, window_.height() - controls_.area.y - controls_.area.height);
     }
     gui_.draw();
     window_.show();
@@ -73,8 +73,8 @@ class App {
   };
 
   void draw_scene() {
-    if (!canvas_ || canvas_->width() != area_.width || canvas_->height() != area_.height) {
-      canvas_.emplace(area_.width, area_.height);
+    if (!canvas_ || canvas_->width() != controls_.area.width || canvas_->height() != controls_.area.height) {
+      canvas_.emplace(controls_.area.width, controls_.area.height);
       drawn_ = {};
     }
     const Camera& camera = controls_.camera.camera();
@@ -87,8 +87,8 @@ class App {
 
   void draw_panels() {
     const std::optional<InputEvent> event = gui_.begin();
-    area_ = panels_.draw(window_.width(), window_.height(), 1 / frame_);
-    if (event) hand_.take(*event, area_);
+    controls_.area = panels_.draw(window_.width(), window_.height(), 1 / frame_);
+    if (event) hand_.take(*event, controls_.area);
   }
 
   // A beautiful picture where that is quick, or where nothing has moved for a moment and nobody waits for the next;
@@ -142,9 +142,9 @@ class App {
   }
 
   Body pick(int x, int y) {
-    if (!controls_.moment() || x < 0 || y < 0 || x >= area_.width || y >= area_.height) return {};
+    if (!controls_.moment() || x < 0 || y < 0 || x >= controls_.area.width || y >= controls_.area.height) return {};
     const std::uint32_t id =
-        renderer_.ids(controls_.scene, controls_.camera.camera(), area_.width, area_.height).at(x, y);
+        renderer_.ids(controls_.scene, controls_.camera.camera(), controls_.area.width, controls_.area.height).at(x, y);
     if (id == 0 || id > controls_.scene.instances.size()) return {};
     const Instance& i = controls_.scene.instances[id - 1];
     return controls_.scene.shapes[i.shape].kind() == ShapeKind::half_space ? Body{} : i.body;
@@ -162,7 +162,6 @@ class App {
   Panels panels_{controls_};
   Hand hand_{controls_, [this](int x, int y) { return pick(x, y); }};
   StatusFile status_;
-  Area area_;
   double frame_ = 0.03;  // s, smoothed
   std::optional<Finish> fixed_quality_;
   Finish quality_ = Finish::plain;

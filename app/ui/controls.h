@@ -10,6 +10,11 @@
 
 namespace sudar::ui {
 
+// Where the picture stands in the window's framebuffer, pixels from the top left.
+struct Area {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
 class Controls {
  public:
   Controls(const Catalogue& catalogue, Simulation& simulation) : catalogue_(catalogue), simulation_(simulation) {}
@@ -39,6 +44,7 @@ class Controls {
   view::Scene scene;        // as drawn
   std::int64_t scenes = 0;  // a new number is another scene
   view::Focus focus;        // of the scene when it started
+  Area area;                // of the picture
   Ray pointer{};            // where the mouse points
   Body selected{};
   bool labels = false, follow = false, panels = true, help = false;

@@ -6,11 +6,6 @@
 
 namespace sudar::ui {
 
-// Where the picture stands in the window's framebuffer, pixels from the top left.
-struct Area {
-  int x = 0, y = 0, width = 0, height = 0;
-};
-
 class Hand {
  public:
   using Pick = std::function<Body(int x, int y)>;  // what is seen at a pixel of the picture

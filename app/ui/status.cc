@@ -71,6 +71,7 @@ void StatusFile::write(const Controls& c, const Window& window, double frames_pe
       {"pictures", pictures_},
       {"fps", frames_per_second},
       {"window", {window.width(), window.height()}},
+      {"area", {c.area.x, c.area.y, c.area.width, c.area.height}},
       {"fullscreen", window.fullscreen()},
       {"typing", c.typing},
       {"shortcuts", shortcuts},

@@ -5,6 +5,7 @@ waited for.
 A test file ends with  harness.main(): TEST_FILE PROGRAM  (needs Xvfb and xdotool)
 """
 import json
+import math
 import os
 import re
 import shutil
@@ -132,6 +133,21 @@ class WindowTest(unittest.TestCase):
 
     def until_changed(self, before, what, least=25):
         self.until_picture(lambda now: changed(before, now) >= least, f"the picture shows {what}")
+
+    def pixel_of(self, point, field_of_view=0.7):
+        """Where a point of the scene is seen on the screen."""
+        s = self.state()
+        eye, target = s["eye"], s["target"]
+        def dot(a, b): return sum(x * y for x, y in zip(a, b))
+        def unit(a): return [x / math.sqrt(dot(a, a)) for x in a]
+        ahead = unit([t - e for t, e in zip(target, eye)])
+        right = unit([-ahead[2], 0, ahead[0]])
+        up = [right[1] * ahead[2] - right[2] * ahead[1], right[2] * ahead[0] - right[0] * ahead[2],
+              right[0] * ahead[1] - right[1] * ahead[0]]
+        way = [p - e for p, e in zip(point, eye)]
+        left, top, width, height = s["area"]
+        scale = height / (2 * math.tan(field_of_view / 2) * dot(way, ahead))
+        return round(left + width / 2 + scale * dot(way, right)), round(top + height / 2 - scale * dot(way, up))
 
     # --- doing ---
 

@@ -61,13 +61,16 @@ class Run(harness.WindowTest):
     def test_a_scenarios_keys_win_while_it_runs(self):
         self.open("vehicle")
         self.until(lambda s: s["steps"] > 30, "the vehicle stands")
-        before = self.state()["fastest"]
+        self.key("ctrl+shift+r")
+        before = self.until(lambda s: s["recording"], "the recording begins")["fastest"]
         self.xdotool("keydown", "Up")
         self.until(lambda s: s["fastest"] > before + 1, "Up drives")
         self.xdotool("keydown", "Right")
         s = self.next_pictures()
         self.assertFalse(s["paused"], "Right steers and does not step")
         self.xdotool("keyup", "Up", "keyup", "Right")
+        self.key("ctrl+shift+r")
+        self.replayed()
         steps = self.pause()["steps"]
         self.key("Right")
         self.until(lambda s: s["steps"] == steps + 1, "Right steps when paused")
