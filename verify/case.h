@@ -39,7 +39,7 @@ enum class Effort { quick, normal, full };
 
 struct ParameterSet {
   const char* name;
-  Values values;  // what differs from the defaults
+  Values values;                  // what differs from the defaults
   Effort effort = Effort::quick;  // from which on it is run
 };
 

@@ -21,8 +21,8 @@ struct Jacobi {
 };
 Jacobi jacobi(double u, double m);
 
-// ∫ f over [a, b] to about 1e-12 of the integral of |f|: adaptive Gauss–Legendre, 10 points a piece. Throws Error when it
-// does not converge: f must be computed without cancellation.
+// ∫ f over [a, b] to about 1e-12 of the integral of |f|: adaptive Gauss–Legendre, 10 points a piece. Throws Error when
+// it does not converge: f must be computed without cancellation.
 double integral(const std::function<double(double)>& f, double a, double b);
 
 // The time for a way from rest, where the rate is known as a function of the way and begins like its square root: the

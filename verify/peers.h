@@ -1,7 +1,7 @@
-// What other engines reach on the same scenes: the table of the report and of docs/verification.md. Measured once with each
-// engine's default settings at 60 Hz, damping and sleeping off (Box3D 30c67b5 with 4 sub-steps; npm builds of Rapier
-// 0.21.0, Jolt 1.1.0 with its gyroscopic force on, Havok 1.3.14, PhysX 5.6.1, Bullet as ammojs-typed 1.1.0, MuJoCo
-// 3.3.8): they show what errors are reachable, not a ranking.
+// What other engines reach on the same scenes: the table of the report and of docs/verification.md. Measured once with
+// each engine's default settings at 60 Hz, damping and sleeping off (Box3D 30c67b5 with 4 sub-steps; npm builds of
+// Rapier 0.21.0, Jolt 1.1.0 with its gyroscopic force on, Havok 1.3.14, PhysX 5.6.1, Bullet as ammojs-typed 1.1.0,
+// MuJoCo 3.3.8): they show what errors are reachable, not a ranking.
 #pragma once
 
 #include "verify/runner.h"

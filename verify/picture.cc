@@ -30,14 +30,20 @@ std::vector<Vec3d> surface(const Shape& s) {
   for (int i = 0; i < round; ++i) {
     const double a = 2 * pi * i / round, c = std::cos(a), z = std::sin(a);
     switch (s.kind()) {
-      case ShapeKind::cylinder: points.push_back({r * c, h, r * z}), points.push_back({r * c, -h, r * z}); break;
-      case ShapeKind::cone: points.push_back({r * c, -h / 2, r * z}), points.push_back({0, 1.5 * h, 0}); break;
+      case ShapeKind::cylinder:
+        points.push_back({r * c, h, r * z}), points.push_back({r * c, -h, r * z});
+        break;
+      case ShapeKind::cone:
+        points.push_back({r * c, -h / 2, r * z}), points.push_back({0, 1.5 * h, 0});
+        break;
       default:
         for (int k = 0; k <= round / 2; ++k) {
           const double b = 2 * pi * k / round, y = std::cos(b), out = std::sin(b);
           Vec3d p{out * c, y, out * z};
-          if (s.kind() == ShapeKind::ellipsoid) p = {p.x * double(s.radii().x), p.y * double(s.radii().y), p.z * double(s.radii().z)};
-          else p = p * r + Vec3d{0, y > 0 ? h : -h, 0};
+          if (s.kind() == ShapeKind::ellipsoid)
+            p = {p.x * double(s.radii().x), p.y * double(s.radii().y), p.z * double(s.radii().z)};
+          else
+            p = p * r + Vec3d{0, y > 0 ? h : -h, 0};
           points.push_back(p);
         }
     }
@@ -115,7 +121,8 @@ void Picture::add(const World& w) {
     const Pos p = w[j].anchor_b();
     m.joints.push_back({view.x({p.x, p.y, p.z}), view.y({p.x, p.y, p.z})});
   }
-  std::stable_sort(m.items.begin(), m.items.end(), [](const Item& a, const Item& b) { return a.fixed != b.fixed ? a.fixed : a.depth > b.depth; });
+  std::stable_sort(m.items.begin(), m.items.end(),
+                   [](const Item& a, const Item& b) { return a.fixed != b.fixed ? a.fixed : a.depth > b.depth; });
 }
 
 std::string Picture::svg() const {
@@ -125,7 +132,8 @@ std::string Picture::svg() const {
       for (const Patch& p : i.patches) {
         for (const Point& q : p.outline) {
           if (i.fixed) continue;
-          low_x = std::min(low_x, q.x), high_x = std::max(high_x, q.x), low_y = std::min(low_y, q.y), high_y = std::max(high_y, q.y);
+          low_x = std::min(low_x, q.x), high_x = std::max(high_x, q.x), low_y = std::min(low_y, q.y),
+          high_y = std::max(high_y, q.y);
         }
       }
     }
@@ -133,7 +141,8 @@ std::string Picture::svg() const {
   if (!(high_x - low_x >= 0 && high_x - low_x < 1e5 && high_y - low_y < 1e5)) return "";
   constexpr double width = 480, height = 260;
   const double size = std::max({high_x - low_x, (high_y - low_y) * width / height, 1e-6}) * 1.15;
-  const double scale = width / size, x0 = (low_x + high_x - size) / 2, y0 = (low_y + high_y - size * height / width) / 2;
+  const double scale = width / size, x0 = (low_x + high_x - size) / 2,
+               y0 = (low_y + high_y - size * height / width) / 2;
   char text[128];
   const auto polygon = [&](const std::vector<Point>& outline, const std::string& style) {
     std::string path;
@@ -150,7 +159,8 @@ std::string Picture::svg() const {
   for (const Floor& f : moments_.front().floors) {
     const Vec3d normal = cross(f.across, f.along);
     if (normal.y < 0.3) continue;
-    const Vec3d at = middle - normal * dot(middle - f.at, normal), a = f.along * (size * 0.48), b = f.across * (size * 0.35);
+    const Vec3d at = middle - normal * dot(middle - f.at, normal), a = f.along * (size * 0.48),
+                b = f.across * (size * 0.35);
     std::vector<Point> corners;
     for (const Vec3d& c : {at - a - b, at + a - b, at + a + b, at - a + b}) corners.push_back({view.x(c), view.y(c)});
     s += polygon(corners, "class=\"floor\"");
@@ -164,7 +174,8 @@ std::string Picture::svg() const {
       }
     }
     for (const Point& j : m.joints) {
-      std::snprintf(text, sizeof text, "<circle class=\"joint\" r=\"3\" cx=\"%.1f\" cy=\"%.1f\"/>\n", (j.x - x0) * scale, (j.y - y0) * scale);
+      std::snprintf(text, sizeof text, "<circle class=\"joint\" r=\"3\" cx=\"%.1f\" cy=\"%.1f\"/>\n",
+                    (j.x - x0) * scale, (j.y - y0) * scale);
       s += text;
     }
     s += "</g>\n";

@@ -56,11 +56,15 @@ std::string number(double v, const char* pattern = "%.6g") {
   return text;
 }
 
-std::string cell(const std::string& text, const char* kind = "") { return std::string("<td") + (*kind != 0 ? std::string(" class=\"") + kind + "\"" : "") + ">" + text + "</td>"; }
+std::string cell(const std::string& text, const char* kind = "") {
+  return std::string("<td") + (*kind != 0 ? std::string(" class=\"") + kind + "\"" : "") + ">" + text + "</td>";
+}
 
 std::string page(const std::string& title, const std::string& body) {
-  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
-         escaped(title) + "</title><link rel=\"stylesheet\" href=\"style.css\"></head>\n<body><main>\n" + body + "</main></body></html>\n";
+  return "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+         "content=\"width=device-width\">\n<title>" +
+         escaped(title) + "</title><link rel=\"stylesheet\" href=\"style.css\"></head>\n<body><main>\n" + body +
+         "</main></body></html>\n";
 }
 
 void write(const std::filesystem::path& file, const std::string& text) {
@@ -84,18 +88,24 @@ double worst(const Group& g) {
   for (const Result* r : g) {
     for (const Quantity& q : r->quantities) {
       const double share = q.tolerance > 0 ? q.error() / q.tolerance : q.pass() ? 0 : std::nan("");
-      if (std::isnan(share) || std::isnan(most)) most = std::nan("");
-      else most = std::max(most, share);
+      if (std::isnan(share) || std::isnan(most))
+        most = std::nan("");
+      else
+        most = std::max(most, share);
     }
   }
   return most;
 }
 
 std::string quantities(const Result& r) {
-  std::string s = "<div class=\"wide\"><table><tr><th>quantity<th class=\"n\">exact<th class=\"n\">got<th class=\"n\">error<th class=\"n\">tolerance<th>unit<th></tr>\n";
+  std::string s =
+      "<div class=\"wide\"><table><tr><th>quantity<th class=\"n\">exact<th class=\"n\">got<th class=\"n\">error<th "
+      "class=\"n\">tolerance<th>unit<th></tr>\n";
   for (const Quantity& q : r.quantities) {
-    s += "<tr>" + cell(escaped(q.name), "text") + cell(number(q.exact, "%.9g"), "n") + cell(number(q.got, "%.9g"), "n") + cell(number(q.error(), "%.3g"), "n") +
-         cell(number(q.tolerance, "%.3g"), "n") + cell(escaped(q.unit)) + cell(q.pass() ? "✓" : "✗", q.pass() ? "good" : "bad") + "</tr>\n";
+    s += "<tr>" + cell(escaped(q.name), "text") + cell(number(q.exact, "%.9g"), "n") +
+         cell(number(q.got, "%.9g"), "n") + cell(number(q.error(), "%.3g"), "n") +
+         cell(number(q.tolerance, "%.3g"), "n") + cell(escaped(q.unit)) +
+         cell(q.pass() ? "✓" : "✗", q.pass() ? "good" : "bad") + "</tr>\n";
   }
   return s + "</table></div>\n";
 }
@@ -106,22 +116,28 @@ std::string figures(const Result& r) {
     if (!drawing.empty()) s += "<figure><h3>" + escaped(caption) + "</h3>" + drawing + "</figure>\n";
   };
   for (const Plot& p : r.plots) figure(draw_curves(p), p.title);
-  if (!r.sweep.empty()) figure(draw_convergence(r.sweep, r.of->order), "Error against step size: order " + number(r.of->order, "%g") + " is the line");
+  if (!r.sweep.empty())
+    figure(draw_convergence(r.sweep, r.of->order),
+           "Error against step size: order " + number(r.of->order, "%g") + " is the line");
   figure(r.picture, "The scene: before (faint) and after");
   return s.empty() ? "" : "<div class=\"grid2\">\n" + s + "</div>\n";
 }
 
 std::string case_page(const Group& g, const std::string& engine) {
   const Case& c = *g.front()->of;
-  std::string s = "<p class=\"faint\"><a href=\"index.html\">All cases</a> · " + escaped(c.group) + "</p>\n<h1>" + c.id + " " + escaped(c.title) + "</h1>\n";
-  s += std::string("<p class=\"") + kind(g) + "\">" + verdict(g) + (can(g) ? "" : ": the engine lacks " + escaped(c.needs)) + "</p>\n";
+  std::string s = "<p class=\"faint\"><a href=\"index.html\">All cases</a> · " + escaped(c.group) + "</p>\n<h1>" +
+                  c.id + " " + escaped(c.title) + "</h1>\n";
+  s += std::string("<p class=\"") + kind(g) + "\">" + verdict(g) +
+       (can(g) ? "" : ": the engine lacks " + escaped(c.needs)) + "</p>\n";
   s += "<p class=\"law\">" + escaped(c.formula) + "</p>\n<p class=\"faint\">Source: " + escaped(c.source) + "</p>\n";
   if (*c.others != 0) s += "<p><b>Other engines:</b> " + escaped(c.others) + "</p>\n";
   s += "<p class=\"faint key\">" + escaped(engine) + "<i></i>theory<i class=\"s\"></i>simulation</p>\n";
   for (const Result* r : g) {
-    s += "<h2>" + escaped(r->set) + (r->solver ? " · " + std::string(solver_name(*r->solver)) : "") + "</h2>\n<p class=\"faint\">";
+    s += "<h2>" + escaped(r->set) + (r->solver ? " · " + std::string(solver_name(*r->solver)) : "") +
+         "</h2>\n<p class=\"faint\">";
     for (const Parameter& p : c.parameters) {
-      s += escaped(p.name) + " = " + number(r->parameters.at(p.name)) + " " + (std::string_view(p.unit) == "1" ? "" : escaped(p.unit)) + " &nbsp; ";
+      s += escaped(p.name) + " = " + number(r->parameters.at(p.name)) + " " +
+           (std::string_view(p.unit) == "1" ? "" : escaped(p.unit)) + " &nbsp; ";
     }
     s += "</p>\n";
     if (!r->failure.empty() && can(g)) s += "<p class=\"bad\">" + escaped(r->failure) + "</p>\n";
@@ -131,8 +147,11 @@ std::string case_page(const Group& g, const std::string& engine) {
 }
 
 std::string peers(const std::vector<Result>& results) {
-  std::string s = "<h2>Beside other engines</h2>\n<p class=\"faint\">The exact value is in the head. The other rows were measured on the same scenes with "
-                  "the engines' default settings: reachable errors, not a ranking.</p>\n<div class=\"wide\"><table class=\"peers\"><tr><th>engine";
+  std::string s =
+      "<h2>Beside other engines</h2>\n<p class=\"faint\">The exact value is in the head. The other rows were measured "
+      "on the same scenes with "
+      "the engines' default settings: reachable errors, not a ranking.</p>\n<div class=\"wide\"><table "
+      "class=\"peers\"><tr><th>engine";
   for (const PeerColumn& c : peer_columns()) s += "<th>" + escaped(c.title);
   s += "</tr>\n<tr class=\"ours\"><td>Sudar</td>";
   for (const PeerColumn& c : peer_columns()) s += cell(our_value(c, results));
@@ -145,31 +164,39 @@ std::string peers(const std::vector<Result>& results) {
   return s + "</table></div>\n";
 }
 
-std::string index_page(const std::vector<Group>& groups, const std::vector<Result>& results, const std::string& engine) {
+std::string index_page(const std::vector<Group>& groups, const std::vector<Result>& results,
+                       const std::string& engine) {
   const Tally t = count(results);
   const int failed = t.cases - t.passed - t.cannot;
   std::string s = "<h1>How right is Sudar?</h1>\n<p class=\"faint\">" + escaped(engine) + "</p>\n";
-  s += "<div class=\"counts\"><span class=\"good\"><b>" + std::to_string(t.passed) + "</b>pass</span><span class=\"bad\"><b>" + std::to_string(failed) +
-       "</b>fail</span><span class=\"none\"><b>" + std::to_string(t.cannot) + "</b>cannot be run</span></div>\n<div class=\"bar\">";
+  s += "<div class=\"counts\"><span class=\"good\"><b>" + std::to_string(t.passed) +
+       "</b>pass</span><span class=\"bad\"><b>" + std::to_string(failed) + "</b>fail</span><span class=\"none\"><b>" +
+       std::to_string(t.cannot) + "</b>cannot be run</span></div>\n<div class=\"bar\">";
   const auto part = [&](const char* name, int n) {
-    s += std::string("<i class=\"") + name + "\" style=\"width:" + number(100.0 * n / std::max(1, t.cases), "%.2f") + "%\"></i>";
+    s += std::string("<i class=\"") + name + "\" style=\"width:" + number(100.0 * n / std::max(1, t.cases), "%.2f") +
+         "%\"></i>";
   };
   part("good", t.passed), part("bad", failed), part("none", t.cannot);
-  s += "</div>\n<p>Each case is a law of mechanics with an exact result, computed on the spot, and the scene in which the engine has to obey it.</p>\n";
+  s += "</div>\n<p>Each case is a law of mechanics with an exact result, computed on the spot, and the scene in which "
+       "the engine has to obey it.</p>\n";
   s += peers(results);
   std::vector<std::string> names;
   for (const Group& g : groups) {
-    if (std::find(names.begin(), names.end(), g.front()->of->group) == names.end()) names.push_back(g.front()->of->group);
+    if (std::find(names.begin(), names.end(), g.front()->of->group) == names.end())
+      names.push_back(g.front()->of->group);
   }
   for (const std::string& name : names) {
-    s += "<h2>" + escaped(name) + "</h2>\n<div class=\"wide\"><table><tr><th>case<th>law<th class=\"n\">largest error / tolerance<th class=\"n\">s<th></tr>\n";
+    s += "<h2>" + escaped(name) +
+         "</h2>\n<div class=\"wide\"><table><tr><th>case<th>law<th class=\"n\">largest error / tolerance<th "
+         "class=\"n\">s<th></tr>\n";
     for (const Group& g : groups) {
       const Case& c = *g.front()->of;
       if (c.group != name) continue;
       double seconds = 0;
       for (const Result* r : g) seconds += r->seconds;
-      s += "<tr><td><a href=\"" + std::string(c.id) + ".html\">" + c.id + " " + escaped(c.title) + "</a></td>" + cell(escaped(c.formula), "text faint") +
-           cell(can(g) ? number(worst(g), "%.2g") : "–", "n") + cell(number(seconds, "%.2f"), "n") + cell(verdict(g), kind(g)) + "</tr>\n";
+      s += "<tr><td><a href=\"" + std::string(c.id) + ".html\">" + c.id + " " + escaped(c.title) + "</a></td>" +
+           cell(escaped(c.formula), "text faint") + cell(can(g) ? number(worst(g), "%.2g") : "–", "n") +
+           cell(number(seconds, "%.2f"), "n") + cell(verdict(g), kind(g)) + "</tr>\n";
     }
     s += "</table></div>\n";
   }

@@ -37,8 +37,9 @@ Tally count(const std::vector<Result>& results) {
 }
 
 std::string Tally::text() const {
-  return std::to_string(passed) + " of " + std::to_string(cases) + " cases pass; " + std::to_string(cases - passed - cannot) +
-         " fail, " + std::to_string(cannot) + " need what the engine does not have" +
+  return std::to_string(passed) + " of " + std::to_string(cases) + " cases pass; " +
+         std::to_string(cases - passed - cannot) + " fail, " + std::to_string(cannot) +
+         " need what the engine does not have" +
          (beside > 0 ? "; beside them " + std::to_string(beside_passed) + " of " + std::to_string(beside) : "");
 }
 
@@ -67,7 +68,8 @@ Values known_to(const Case& c, const Values& set) {
 std::vector<Result> plan(const Options& o) {
   const std::vector<const Case*> cases = chosen_cases(o);
   for (const auto& given : o.set) {
-    const bool known = std::any_of(cases.begin(), cases.end(), [&](const Case* c) { return !known_to(*c, {given}).empty(); });
+    const bool known =
+        std::any_of(cases.begin(), cases.end(), [&](const Case* c) { return !known_to(*c, {given}).empty(); });
     if (!known) throw Error(given.first, "is no parameter of the chosen cases");
   }
   std::vector<Result> results;
@@ -75,7 +77,8 @@ std::vector<Result> plan(const Options& o) {
     std::vector<ParameterSet> sets{{"defaults", {}}};
     if (const Values own = known_to(*c, o.set); !own.empty())
       sets = {{"chosen", own}};
-    else if (!o.only_defaults) sets.insert(sets.end(), c->sets.begin(), c->sets.end());
+    else if (!o.only_defaults)
+      sets.insert(sets.end(), c->sets.begin(), c->sets.end());
     for (const ParameterSet& set : sets) {
       if (set.effort > o.effort) continue;
       const Result r{.of = c, .set = set.name, .parameters = values_of(*c, set.values), .solver = {}};

@@ -18,7 +18,7 @@ struct Result {
   std::optional<Solver> solver;  // none: the case is geometry
   std::vector<Quantity> quantities{};
   std::deque<Plot> plots{};
-  std::string picture{};  // SVG
+  std::string picture{};                           // SVG
   std::vector<std::pair<double, double>> sweep{};  // length of a sub-step, deviation
   double seconds = 0;                              // it took
   std::string failure{};                           // why it could not be run to its end
@@ -30,14 +30,14 @@ struct Options {
   Effort effort = Effort::normal;
   Values set{};  // instead of the cases' own sets: their defaults with these
   std::vector<Solver> solvers{Solver::impulse_2007};
-  unsigned jobs = 0;    // 0: as many as the processor has
-  bool broken = false;  // with the physics taken away
+  unsigned jobs = 0;           // 0: as many as the processor has
+  bool broken = false;         // with the physics taken away
   bool only_defaults = false;  // of the parameter sets
   bool pictures = false;       // for the report
 };
 
-// How many cases pass: a case does when it does so with every set of parameters and every solver. The catalogue's are V…;
-// beside them stand SimBenchmark's tasks and the thesis's errata.
+// How many cases pass: a case does when it does so with every set of parameters and every solver. The catalogue's are
+// V…; beside them stand SimBenchmark's tasks and the thesis's errata.
 struct Tally {
   int cases = 0, passed = 0, cannot = 0;  // of the catalogue; cannot: the engine lacks something
   int beside = 0, beside_passed = 0;

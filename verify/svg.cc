@@ -55,12 +55,14 @@ std::string dots(const Axis& x, const Axis& y, const Points& points, double radi
   const std::size_t every = std::max<std::size_t>(1, points.size() / 300);
   for (std::size_t i = 0; i < points.size(); i += every) {
     const auto& [px, py] = points[i];
-    if (std::isfinite(px) && std::isfinite(py)) all += format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\"/>", x(px), y(py), radius);
+    if (std::isfinite(px) && std::isfinite(py))
+      all += format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\"/>", x(px), y(py), radius);
   }
   return "<g class=\"dots\">" + all + "</g>\n";
 }
 
-std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const std::string& y_name, bool logarithmic) {
+std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const std::string& y_name,
+                  bool logarithmic) {
   std::string s;
   const auto ticks = [&](const Axis& a, bool vertical) {
     const double step = logarithmic ? std::max(1.0, std::ceil((a.high - a.low) / 6)) : a.step();
@@ -68,18 +70,26 @@ std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const
       const double shown = std::fabs(v) < 1e-9 * step ? 0 : v, at = a(v);
       const std::string label = logarithmic ? format("1e%d", int(std::lround(shown))) : format("%.5g", shown);
       if (vertical) {
-        s += format("<line class=\"grid\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>", left, width - right, at, at);
+        s += format("<line class=\"grid\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>", left, width - right, at,
+                    at);
         s += format("<text text-anchor=\"end\" x=\"%.1f\" y=\"%.1f\">%s</text>\n", left - 7, at + 4, label.c_str());
       } else {
-        s += format("<line class=\"grid\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>", at, at, top, height - bottom);
-        s += format("<text text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">%s</text>\n", at, height - bottom + 17, label.c_str());
+        s += format("<line class=\"grid\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>", at, at, top,
+                    height - bottom);
+        s += format("<text text-anchor=\"middle\" x=\"%.1f\" y=\"%.1f\">%s</text>\n", at, height - bottom + 17,
+                    label.c_str());
       }
     }
   };
   ticks(x, false), ticks(y, true);
-  s += format("<rect class=\"axis\" x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\"/>\n", left, top, width - left - right, height - top - bottom);
-  s += format("<text class=\"name\" text-anchor=\"middle\" x=\"%.0f\" y=\"%.0f\">", (left + width - right) / 2, height - 8) + escaped(x_name) + "</text>";
-  s += format("<text class=\"name\" text-anchor=\"middle\" transform=\"translate(14 %.0f) rotate(-90)\">", (top + height - bottom) / 2) + escaped(y_name) + "</text>\n";
+  s += format("<rect class=\"axis\" x=\"%.0f\" y=\"%.0f\" width=\"%.0f\" height=\"%.0f\"/>\n", left, top,
+              width - left - right, height - top - bottom);
+  s += format("<text class=\"name\" text-anchor=\"middle\" x=\"%.0f\" y=\"%.0f\">", (left + width - right) / 2,
+              height - 8) +
+       escaped(x_name) + "</text>";
+  s += format("<text class=\"name\" text-anchor=\"middle\" transform=\"translate(14 %.0f) rotate(-90)\">",
+              (top + height - bottom) / 2) +
+       escaped(y_name) + "</text>\n";
   return s;
 }
 
@@ -92,7 +102,8 @@ std::string picture(const std::string& inside) {
 std::string draw_curves(const Plot& p) {
   const Axis x = axis_for({&p.theory, &p.simulation}, false, left, width - right);
   const Axis y = axis_for({&p.theory, &p.simulation}, true, height - bottom, top);
-  return picture(frame(x, y, p.x, p.y, false) + line(x, y, p.theory) + dots(x, y, p.simulation, p.simulation.size() > 120 ? 1.6 : 2.6));
+  return picture(frame(x, y, p.x, p.y, false) + line(x, y, p.theory) +
+                 dots(x, y, p.simulation, p.simulation.size() > 120 ? 1.6 : 2.6));
 }
 
 std::string draw_convergence(const Points& sweep, double order) {
@@ -105,18 +116,28 @@ std::string draw_convergence(const Points& sweep, double order) {
   for (const auto& [h, e] : measured) demanded.emplace_back(h, e0 + order * (h - h0));
   Axis x = axis_for({&measured, &demanded}, false, left + 20, width - right - 20);
   Axis y = axis_for({&measured, &demanded}, true, height - bottom, top);
-  return picture(frame(x, y, "length of a sub-step [s]", "error", true) + line(x, y, demanded) + dots(x, y, measured, 4));
+  return picture(frame(x, y, "length of a sub-step [s]", "error", true) + line(x, y, demanded) +
+                 dots(x, y, measured, 4));
 }
 
 std::string escaped(std::string_view text) {
   std::string s;
   for (const char c : text) {
     switch (c) {
-      case '&': s += "&amp;"; break;
-      case '<': s += "&lt;"; break;
-      case '>': s += "&gt;"; break;
-      case '"': s += "&quot;"; break;
-      default: s += c;
+      case '&':
+        s += "&amp;";
+        break;
+      case '<':
+        s += "&lt;";
+        break;
+      case '>':
+        s += "&gt;";
+        break;
+      case '"':
+        s += "&quot;";
+        break;
+      default:
+        s += c;
     }
   }
   return s;

@@ -48,7 +48,8 @@ void list_cases() {
 }
 
 void print(const Result& r) {
-  std::printf("%-5s %s, %s%s (%.2f s)\n", r.of->id, r.of->title, r.set.c_str(), r.passed() ? "" : ": FAILED", r.seconds);
+  std::printf("%-5s %s, %s%s (%.2f s)\n", r.of->id, r.of->title, r.set.c_str(), r.passed() ? "" : ": FAILED",
+              r.seconds);
   if (!r.failure.empty()) std::printf("      %s\n", r.failure.c_str());
   for (const Quantity& q : r.quantities) {
     std::printf("      %-6s %-46s %14.9g %14.9g  error %9.3g of %9.3g %s\n", q.pass() ? "ok" : "FAILED", q.name.c_str(),
@@ -77,8 +78,8 @@ Json json_of(const std::vector<Result>& results) {
 
 std::string measured() {
   const Config c;
-  return "Sudar " SUDAR_VERSION ", " + std::string(sizeof(Real) == 4 ? "single" : "double") + " precision, " + std::to_string(std::lround(1 / c.dt)) +
-         " Hz × " + std::to_string(c.substeps) + " sub-steps";
+  return "Sudar " SUDAR_VERSION ", " + std::string(sizeof(Real) == 4 ? "single" : "double") + " precision, " +
+         std::to_string(std::lround(1 / c.dt)) + " Hz × " + std::to_string(c.substeps) + " sub-steps";
 }
 
 int verify(const VerifyOptions& v) {

@@ -28,7 +28,9 @@ TEST(Cases, FailAsKnown) {
     if (r.passed() || r.of->run == nullptr || known.contains(r.of->id)) continue;
     EXPECT_EQ(r.failure, "") << r.of->id;
     for (const Quantity& q : r.quantities) {
-      if (!q.pass()) ADD_FAILURE() << r.of->id << ' ' << r.set << ": " << q.name << " is " << q.got << ", not " << q.exact << " ± " << q.tolerance;
+      if (!q.pass())
+        ADD_FAILURE() << r.of->id << ' ' << r.set << ": " << q.name << " is " << q.got << ", not " << q.exact << " ± "
+                      << q.tolerance;
     }
   }
   for (const std::string& id : known) {

@@ -50,7 +50,7 @@ TEST(Numerics, Roots) {
 }
 
 TEST(Numerics, Feasibility) {
-  EXPECT_TRUE(feasible({{1, 1}, {-1, 0}}, {3, -1}));          // x + y ≤ 3, x ≥ 1
+  EXPECT_TRUE(feasible({{1, 1}, {-1, 0}}, {3, -1}));                // x + y ≤ 3, x ≥ 1
   EXPECT_FALSE(feasible({{1, 1}, {-1, 0}, {0, -1}}, {3, -2, -2}));  // x ≥ 2, y ≥ 2
   EXPECT_TRUE(feasible({{1, 1}, {-1, 0}, {0, -1}}, {4, -2, -2}));
 }

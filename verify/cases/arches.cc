@@ -10,7 +10,8 @@ namespace sudar::verify {
 
 namespace {
 
-// V24. A half circle of stones with radial joints; the middle radius is 1. It stands when a line of thrust fits into it.
+// V24. A half circle of stones with radial joints; the middle radius is 1. It stands when a line of thrust fits into
+// it.
 struct Arch {
   int stones;  // even
   double thickness;
@@ -197,7 +198,8 @@ void cards(Run& run) {
   const double half = run["half angle"] * pi / 180, one = std::tan(half) / 2, two = std::tan(half) * 1.25 / 1.75;
   run.holds("stands with 1.1 of the friction", cards_stand(run, half, 1.1 * run.with("friction", one)));
   run.holds("slides with 0.9", !cards_stand(run, half, 0.9 * one));
-  run.holds("two storeys: stand with 1.1 of the friction", two_storeys_stand(run, half, 1.1 * run.with("friction", two)));
+  run.holds("two storeys: stand with 1.1 of the friction",
+            two_storeys_stand(run, half, 1.1 * run.with("friction", two)));
   run.holds("two storeys: slide with 0.9", !two_storeys_stand(run, half, 0.9 * two));
 }
 

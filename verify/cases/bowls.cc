@@ -14,12 +14,18 @@ namespace {
 // 2 g/((1 + k) ν²), for the spin about the wall's normal turns into rolling along the wall.
 void pipe(Run& run) {
   const double big = run["pipe"], r = run["ball"], rate = run["rate"], k = 0.4, g = standard_gravity;
-  const double nu = rate * std::sqrt(k / (1 + k)), period = 2 * pi / nu, dip = 2 * g / ((1 + k) * nu * nu), v = rate * (big - r);
+  const double nu = rate * std::sqrt(k / (1 + k)), period = 2 * pi / nu, dip = 2 * g / ((1 + k) * nu * nu),
+               v = rate * (big - r);
   World w(with_small_slop(run.fine_config()));
   add_gravity(w, run.with("gravity", g));
   const Material rough = material(10);
   w.add({.shape = hollow_cylinder(Real(big), Real(20)), .material = rough, .motion = Motion::fixed});
-  const Body ball = w.add({.shape = sphere(Real(r)), .at = {big - r, 0, 0}, .velocity = {0, 0, Real(-v)}, .spin = {0, Real(-v / r), 0}, .mass = 1, .material = rough});
+  const Body ball = w.add({.shape = sphere(Real(r)),
+                           .at = {big - r, 0, 0},
+                           .velocity = {0, 0, Real(-v)},
+                           .spin = {0, Real(-v / r), 0},
+                           .mass = 1,
+                           .material = rough});
   Crossings turns;  // of the vertical velocity
   double lowest = 0;
   Plot& plot = run.plot("Height", "t [s]", "y [m]");
@@ -46,7 +52,8 @@ void bowl(Run& run) {
     add_gravity(w, run.with("gravity", g));
     const Material m = material(rolls ? 10 : 0);
     w.add({.shape = hollow_sphere(Real(big)), .material = m, .motion = Motion::fixed});
-    const Body ball = w.add({.shape = sphere(Real(r)), .at = {l * std::sin(start), -l * std::cos(start), 0}, .mass = 1, .material = m});
+    const Body ball = w.add(
+        {.shape = sphere(Real(r)), .at = {l * std::sin(start), -l * std::cos(start), 0}, .mass = 1, .material = m});
     const auto law = [&](double, const Vector& y) { return Vector{y[1], -g / (slower * l) * std::sin(y[0])}; };
     Crossings zeros;
     Vector exact{start, 0};
@@ -59,7 +66,8 @@ void bowl(Run& run) {
       plot.simulation.emplace_back(w.time(), angle);
     });
     const auto& t = zeros.moments();
-    run.relative(rolls ? "period, rolling" : "period, smooth", "s", period, t.size() > 2 ? t[2] - t[0] : std::nan(""), 0.005);
+    run.relative(rolls ? "period, rolling" : "period, smooth", "s", period, t.size() > 2 ? t[2] - t[0] : std::nan(""),
+                 0.005);
   }
 }
 

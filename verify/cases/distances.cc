@@ -23,10 +23,12 @@ struct Placed {
   }
   double to(const Vec3d& p) const {  // the distance of a point
     const Vec3d local = rotate_back(turn, p - at);
-    return length(Vec3d{std::max(0.0, std::fabs(local.x) - half.x), std::max(0.0, std::fabs(local.y) - half.y), std::max(0.0, std::fabs(local.z) - half.z)});
+    return length(Vec3d{std::max(0.0, std::fabs(local.x) - half.x), std::max(0.0, std::fabs(local.y) - half.y),
+                        std::max(0.0, std::fabs(local.z) - half.z)});
   }
   double reach(const Vec3d& n) const {
-    return half.x * std::fabs(dot(axis(0), n)) + half.y * std::fabs(dot(axis(1), n)) + half.z * std::fabs(dot(axis(2), n));
+    return half.x * std::fabs(dot(axis(0), n)) + half.y * std::fabs(dot(axis(1), n)) +
+           half.z * std::fabs(dot(axis(2), n));
   }
   Shape shape() const { return box(convert<Real>(half * 2)); }
   Pose pose() const { return {Pos{} + at, convert<Real>(turn)}; }
@@ -47,8 +49,8 @@ double segments(const Vec3d& a, const Vec3d& da, const Vec3d& b, const Vec3d& db
   return best;
 }
 
-// Apart: the nearest points are a corner and any point, or lie on two edges. Overlapping: minus the least of the fifteen
-// overlaps along face normals and products of edges.
+// Apart: the nearest points are a corner and any point, or lie on two edges. Overlapping: minus the least of the
+// fifteen overlaps along face normals and products of edges.
 double enumerated(const Placed& a, const Placed& b) {
   double apart = 1e300, deep = 1e300;
   for (int i = 0; i < 8; ++i) apart = std::min({apart, a.to(b.corner(i)), b.to(a.corner(i))});
@@ -57,7 +59,8 @@ double enumerated(const Placed& a, const Placed& b) {
       for (int e = 1; e < 8; e *= 2) {
         for (int f = 1; f < 8; f *= 2) {
           if ((i & e) != 0 || (j & f) != 0) continue;
-          apart = std::min(apart, segments(a.corner(i), a.corner(i | e) - a.corner(i), b.corner(j), b.corner(j | f) - b.corner(j)));
+          apart = std::min(
+              apart, segments(a.corner(i), a.corner(i | e) - a.corner(i), b.corner(j), b.corner(j | f) - b.corner(j)));
         }
       }
     }
@@ -81,8 +84,10 @@ void box_distances(Run& run) {
   const Quat on_vertex = axis_angle(normalize(Vec3{1, 0, -1}), Real(std::acos(1 / std::sqrt(3.0))));
   const Pose up{{0, y + cheat, 0}, on_edge};
   run.check("edge over a face", "m", y - 0.5 - std::sqrt(0.5), distance(cube, {}, cube, up).value, 1e-5);
-  run.check("crossed edges", "m", y - std::sqrt(2.0), distance(cube, {{}, on_edge}, cube, {{0, y + cheat, 0}, across}).value, 1e-5);
-  run.check("corner over a face", "m", y - 0.5 - std::sqrt(0.75), distance(cube, {}, cube, {{0, y + cheat, 0}, on_vertex}).value, 1e-5);
+  run.check("crossed edges", "m", y - std::sqrt(2.0),
+            distance(cube, {{}, on_edge}, cube, {{0, y + cheat, 0}, across}).value, 1e-5);
+  run.check("corner over a face", "m", y - 0.5 - std::sqrt(0.75),
+            distance(cube, {}, cube, {{0, y + cheat, 0}, on_vertex}).value, 1e-5);
   Random random{std::uint32_t(run["seed"])};
   const auto some_box = [&](double spread) {
     const Vec3d half{random.between(0.1, 1), random.between(0.1, 1), random.between(0.1, 1)};
@@ -97,7 +102,10 @@ void box_distances(Run& run) {
     for (int i = 0; i < int(run["pairs"]); ++i, ++pairs) {
       const Placed a = some_box(0), b = some_box(spread);
       const double exact = enumerated(a, b), got = distance(a.shape(), a.pose(), b.shape(), b.pose()).value + cheat;
-      if (exact >= 0) { apart = std::max(apart, std::fabs(got - exact)); continue; }
+      if (exact >= 0) {
+        apart = std::max(apart, std::fabs(got - exact));
+        continue;
+      }
       ++overlapping;
       shallow = std::max(shallow, got - exact), deep = std::max(deep, exact - got);
     }
@@ -113,19 +121,27 @@ void round_distances(Run& run) {
   const double cheat = run.without("the right distance") ? 0.01 : 0;
   const double pass = run["passing"], thin = 0.125;
   const Pose crossed{{pass + cheat, 0.3, 0.2}, axis_angle(Vec3{1, 0, 0}, Real(1))};
-  run.check("segments that pass each other, as axes of capsules", "m", pass, distance(capsule(Real(thin), 2), {}, capsule(Real(thin), 2), crossed).value + 2 * thin, 1e-5);
+  run.check("segments that pass each other, as axes of capsules", "m", pass,
+            distance(capsule(Real(thin), 2), {}, capsule(Real(thin), 2), crossed).value + 2 * thin, 1e-5);
   // The foot of p on an ellipsoid is r² p/(r² + t), where Σ (r p/(r² + t))² = 1.
   const Vec3d r{1, 2, 3}, p{run["x"], run["y"], run["z"]};
-  const auto foot = [&](double t) { return Vec3d{p.x / (1 + t / (r.x * r.x)), p.y / (1 + t / (r.y * r.y)), p.z / (1 + t / (r.z * r.z))}; };
-  const double t = root([&](double s) {
-    const Vec3d f = foot(s);
-    return square(f.x / r.x) + square(f.y / r.y) + square(f.z / r.z) - 1;
-  }, 0, 1e4);
-  run.check("a point outside an ellipsoid", "m", length(p - foot(t)), distance(ellipsoid(convert<Real>(r)), {}, Pos{p.x, p.y, p.z}).value + cheat, 1e-5);
+  const auto foot = [&](double t) {
+    return Vec3d{p.x / (1 + t / (r.x * r.x)), p.y / (1 + t / (r.y * r.y)), p.z / (1 + t / (r.z * r.z))};
+  };
+  const double t = root(
+      [&](double s) {
+        const Vec3d f = foot(s);
+        return square(f.x / r.x) + square(f.y / r.y) + square(f.z / r.z) - 1;
+      },
+      0, 1e4);
+  run.check("a point outside an ellipsoid", "m", length(p - foot(t)),
+            distance(ellipsoid(convert<Real>(r)), {}, Pos{p.x, p.y, p.z}).value + cheat, 1e-5);
   // A cylinder on its rim, its axis inclined by the angle to the floor.
-  const double angle = run["inclination"] * pi / 180, radius = 0.5, h = 1, rest = radius * std::cos(angle) + h / 2 * std::sin(angle);
+  const double angle = run["inclination"] * pi / 180, radius = 0.5, h = 1,
+               rest = radius * std::cos(angle) + h / 2 * std::sin(angle);
   const Quat inclined = axis_angle(Vec3{0, 0, 1}, Real(pi / 2 - angle));
-  run.check("height of a cylinder on its rim", "m", rest, 2 - distance(cylinder(Real(radius), Real(h)), {{0, 2, 0}, inclined}, half_space(), {}).value + cheat, 1e-5);
+  run.check("height of a cylinder on its rim", "m", rest,
+            2 - distance(cylinder(Real(radius), Real(h)), {{0, 2, 0}, inclined}, half_space(), {}).value + cheat, 1e-5);
 }
 
 }
@@ -147,7 +163,11 @@ std::vector<Case> distances() {
        .group = "Geometry",
        .formula = "Σ (r p/(r² + t))² = 1; r cos α + ½ h sin α",
        .source = "root of Lagrange's multiplier",
-       .parameters = {{"passing", 1, 0.3, 10, "m"}, {"x", 4, 1, 100, "m"}, {"y", 4, 1, 100, "m"}, {"z", 4, 1, 100, "m"}, {"inclination", 30, 1, 89, "°"}},
+       .parameters = {{"passing", 1, 0.3, 10, "m"},
+                      {"x", 4, 1, 100, "m"},
+                      {"y", 4, 1, 100, "m"},
+                      {"z", 4, 1, 100, "m"},
+                      {"inclination", 30, 1, 89, "°"}},
        .sets = {{"others", {{"passing", 0.4}, {"x", 1.5}, {"z", 9}, {"inclination", 70}}}},
        .run = round_distances,
        .without = "the right distance",

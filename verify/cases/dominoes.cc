@@ -59,7 +59,12 @@ void dominoes(Run& run) {
   for (int i = 0; i < n; ++i) {
     const double x = i * (s + d);
     const Vec3 spin{0, 0, Real(i == 0 ? -train.rate_at_impact() : 0)}, arm{Real(-d / 2), Real(h / 2), 0};
-    row.push_back(w.add({.shape = box({Real(d), Real(h), Real(h / 2)}), .at = {x - d / 2, h / 2, 0}, .velocity = cross(spin, arm), .spin = spin, .mass = 1, .material = material(0)}));
+    row.push_back(w.add({.shape = box({Real(d), Real(h), Real(h / 2)}),
+                         .at = {x - d / 2, h / 2, 0},
+                         .velocity = cross(spin, arm),
+                         .spin = spin,
+                         .mass = 1,
+                         .material = material(0)}));
     w.join(Hinge{.b = row.back(), .at = {x, 0, 0}, .limit = {.low = -3, .high = 0}});
   }
   const double exact = train.speed(), threshold = train.rate_at_impact() / 20;
@@ -74,7 +79,8 @@ void dominoes(Run& run) {
   const std::size_t from = row.size() / 2, to = row.size() - 2;
   const double got = begins.size() > to ? double(to - from) * (s + d) / (begins[to] - begins[from]) : 0;
   if (begins.size() > to) {
-    for (const std::size_t k : {from, to}) plot.theory.emplace_back(begins[from] + double(k - from) * (s + d) / exact, double(k) * (s + d));
+    for (const std::size_t k : {from, to})
+      plot.theory.emplace_back(begins[from] + double(k - from) * (s + d) / exact, double(k) * (s + d));
   }
   run.relative("speed of the front", "m/s", exact, got, 0.03);
 }
@@ -85,10 +91,15 @@ std::vector<Case> domino_rows() {
   return {{.id = "V21",
            .title = "Dominoes",
            .group = "Toppling",
-           .formula = "fixed point of the energy of a train that leans on its front; h sin(θₙ − θₙ₊₁) = (s + d) cos θₙ₊₁ − d",
+           .formula =
+               "fixed point of the energy of a train that leans on its front; h sin(θₙ − θₙ₊₁) = (s + d) cos θₙ₊₁ − d",
            .source = "van Leeuwen, arXiv:physics/0401018; quadrature",
-           .parameters = {{"dominoes", 40, 10, 200, "1"}, {"height", 1, 0.2, 10, "m"}, {"thickness", 0.1, 0.02, 0.3, "heights"}, {"gap", 0.3, 0.1, 0.8, "heights"}},
-           .sets = {{"48 × 7.5 mm, gap 22.5 mm, enlarged", {{"thickness", 7.5 / 48}, {"gap", 22.5 / 48}}}, {"thick", {{"thickness", 0.179}}}},
+           .parameters = {{"dominoes", 40, 10, 200, "1"},
+                          {"height", 1, 0.2, 10, "m"},
+                          {"thickness", 0.1, 0.02, 0.3, "heights"},
+                          {"gap", 0.3, 0.1, 0.8, "heights"}},
+           .sets = {{"48 × 7.5 mm, gap 22.5 mm, enlarged", {{"thickness", 7.5 / 48}, {"gap", 22.5 / 48}}},
+                    {"thick", {{"thickness", 0.179}}}},
            .run = dominoes,
            .without = "gravity"}};
 }

@@ -1,5 +1,5 @@
-// The mistakes of the thesis (docs/thesis.md): what the formula as printed gives, beside what is right and what the engine
-// gives.
+// The mistakes of the thesis (docs/thesis.md): what the formula as printed gives, beside what is right and what the
+// engine gives.
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +42,8 @@ void sliding(Run& run) {
   World w(thesis_steps(run));
   const Material m = material(run.with("friction", mu), e);
   add_ground(w, m);
-  const Body ball = w.add({.shape = sphere(Real(r)), .at = {0, r, 0}, .velocity = {Real(along), Real(-down), 0}, .mass = 1, .material = m});
+  const Body ball = w.add(
+      {.shape = sphere(Real(r)), .at = {0, r, 0}, .velocity = {Real(along), Real(-down), 0}, .mass = 1, .material = m});
   w.step();
   run.relative("velocity along the floor", "m/s", along - mu * (1 + e) * down, double(w[ball].velocity().x), 1e-3);
   run.relative("velocity upwards", "m/s", e * down, double(w[ball].velocity().y), 1e-3);
@@ -71,7 +72,9 @@ struct Bodies {  // two bodies of a bar along n, in double
 
 void bar(Run& run) {
   Random random{std::uint32_t(run["seed"])};
-  const auto vector = [&](double size) { return Vec3d{random.between(-size, size), random.between(-size, size), random.between(-size, size)}; };
+  const auto vector = [&](double size) {
+    return Vec3d{random.between(-size, size), random.between(-size, size), random.between(-size, size)};
+  };
   const int states = int(run["states"]);
   int printed = 0, right = 0, engine = 0;
   for (int i = 0; i < states; ++i) {
@@ -80,13 +83,19 @@ void bar(Run& run) {
     Body b[2];
     Pos ends[2];
     for (int k : {0, 1}) {
-      BodyDef def{.shape = k == 0 ? box({4, 1, 1}) : box({1, 2, 3}), .at = Pos{6.0 * k, double(k), 0}, .turn = rotation(convert<Real>(vector(2))),
-                  .velocity = convert<Real>(vector(3)), .spin = convert<Real>(vector(3)), .density = Real(1 + k)};
+      BodyDef def{.shape = k == 0 ? box({4, 1, 1}) : box({1, 2, 3}),
+                  .at = Pos{6.0 * k, double(k), 0},
+                  .turn = rotation(convert<Real>(vector(2))),
+                  .velocity = convert<Real>(vector(3)),
+                  .spin = convert<Real>(vector(3)),
+                  .density = Real(1 + k)};
       b[k] = w.add(def);
       s.arm[k] = vector(2), ends[k] = def.at + s.arm[k];
       const Mat3 inertia = w[b[k]].inertia();
-      s.inverse_inertia[k] = inverse(Mat3d{convert<double>(inertia.c0), convert<double>(inertia.c1), convert<double>(inertia.c2)});
-      s.inverse_mass[k] = 1 / double(w[b[k]].mass()), s.velocity[k] = convert<double>(def.velocity), s.spin[k] = convert<double>(def.spin);
+      s.inverse_inertia[k] =
+          inverse(Mat3d{convert<double>(inertia.c0), convert<double>(inertia.c1), convert<double>(inertia.c2)});
+      s.inverse_mass[k] = 1 / double(w[b[k]].mass()), s.velocity[k] = convert<double>(def.velocity),
+      s.spin[k] = convert<double>(def.spin);
     }
     s.n = normalize(Vec3d{ends[1].x - ends[0].x, ends[1].y - ends[0].y, ends[1].z - ends[0].z});
     const double un = dot(s.relative(), s.n);
@@ -107,7 +116,8 @@ void correction(Run& run) {
   const double m = run["mass"], depth = run["overlap"];
   World w(thesis_steps(run));
   add_ground(w, material(0.5));
-  const Body cube = w.add({.shape = box({1, 1, 1}), .at = {0, 0.5 - depth, 0}, .mass = Real(m), .material = material(0.5)});
+  const Body cube =
+      w.add({.shape = box({1, 1, 1}), .at = {0, 0.5 - depth, 0}, .mass = Real(m), .material = material(0.5)});
   if (!run.without("impulses")) w.step();
   const Impulse2007& s = w.config().impulse_2007;
   const double exact = double(s.correction) * (depth - double(s.slop));
@@ -129,8 +139,8 @@ void cost(Run& run) {
   run.refutes("simulated time as printed", "s", c.dt, n * c.dt, 1e-12);
 }
 
-// E7. Friction is limited by the accumulated impulse. A train pulled with less than it holds must not move; with the cone
-// tested for each increment, as printed and in the prototype, it does.
+// E7. Friction is limited by the accumulated impulse. A train pulled with less than it holds must not move; with the
+// cone tested for each increment, as printed and in the prototype, it does.
 double train_moves(Run& run, bool per_increment) {
   Config c = thesis_steps(run);
   c.friction_mix = Mix::min;
@@ -141,7 +151,11 @@ double train_moves(Run& run, bool per_increment) {
   const double mu = run.with("friction", 0.15), holds = 0.15 * 10 * 90 * 5;
   Body last, first;
   for (int i = 0; i < 10; ++i) {
-    const Body wagon = w.add({.shape = box({10, 3, 3}), .at = {11.0 * i, 0, 0}, .density = 1, .material = {.friction_static = Real(mu), .friction_dynamic = Real(mu * 2 / 3), .restitution = 0}});
+    const Body wagon =
+        w.add({.shape = box({10, 3, 3}),
+               .at = {11.0 * i, 0, 0},
+               .density = 1,
+               .material = {.friction_static = Real(mu), .friction_dynamic = Real(mu * 2 / 3), .restitution = 0}});
     if (i == 0) first = wagon;
     for (const double y : {-1.0, 1.0}) {
       if (i > 0) w.join(Ball{.a = last, .b = wagon, .at = {11 * i - 5.5, y, 0}});
@@ -173,7 +187,8 @@ double tower_leans(Run& run, bool one_point) {
   }
   run.until(w, 10);
   double worst = 0;
-  for (const auto& [cube, at] : cubes) worst = std::max(worst, std::hypot(w[cube].center().x - at.x, w[cube].center().z - at.z));
+  for (const auto& [cube, at] : cubes)
+    worst = std::max(worst, std::hypot(w[cube].center().x - at.x, w[cube].center().z - at.z));
   return worst;
 }
 
@@ -201,29 +216,91 @@ std::vector<Case> errata() {
   constexpr const char* group = "The thesis's errata";
   constexpr const char* source = "docs/thesis.md";
   return {
-      {.id = "E1", .title = "Volume of a tetrahedron", .group = group, .formula = "V = a·(b × c)/6, not /4", .source = source,
-       .parameters = {{"a", 2, 0.1, 100, "m"}, {"b", 3, 0.1, 100, "m"}, {"c", 4, 0.1, 100, "m"}}, .sets = {{"cube", {{"b", 2}, {"c", 2}}}},
-       .run = volume, .without = "the sixth", .uses_solver = false},
-      {.id = "E2", .title = "Drag has a direction", .group = group, .formula = "F = −B |v| v, not −B v²", .source = source,
-       .parameters = {{"speed", 10, 0.1, 100, "m/s"}, {"drag", 0.5, 0.001, 1, "1/m"}, {"time", 0.1, 0.01, 1, "s"}}, .sets = {{"thin air", {{"drag", 0.1}, {"time", 0.5}}}},
-       .run = drag, .without = "drag"},
-      {.id = "E3", .title = "Sliding impulse", .group = group, .formula = "pₙ = −(1+e) uₙ/(nᵀK(n − μ t)), not of Δuₙ", .source = source,
-       .parameters = {{"along", 3, 2, 20, "m/s"}, {"down", 4, 0.1, 20, "m/s"}, {"restitution", 0.5, 0, 0.9, "1"}, {"friction", 0.1, 0.01, 0.15, "1"}}, .sets = {{"e = 0", {{"restitution", 0}, {"down", 2}}}},
-       .run = sliding, .without = "friction"},
-      {.id = "E4", .title = "Impulse of a bar", .group = group, .formula = "p = −(uₙ/nᵀKn) n, not K⁻¹(−uₙ n)", .source = source,
-       .parameters = {{"states", 300, 10, 1e5, "1"}, {"seed", 1, 0, 1e9, "1"}}, .sets = {{"other states", {{"seed", 2}}}},
-       .run = bar, .without = "the engine"},
-      {.id = "E5", .title = "Correction of overlaps", .group = group, .formula = "Δu_e = b (δ − δ_max)/Δt is a velocity, not an impulse", .source = source,
-       .parameters = {{"mass", 1000, 2, 1e6, "kg"}, {"overlap", 0.11, 0.02, 0.3, "m"}}, .sets = {{"10 kg", {{"mass", 10}, {"overlap", 0.06}}}},
-       .run = correction, .without = "impulses"},
-      {.id = "E6", .title = "What sub-steps cost", .group = group, .formula = "n sub-steps cost n times as much; time does not pass faster", .source = source,
-       .parameters = {{"sub-steps", 4, 2, 100, "1"}}, .sets = {{"ten", {{"sub-steps", 10}}}}, .run = cost, .without = "gravity"},
-      {.id = "E7", .title = "Friction cone", .group = group, .formula = "|Σ p_t| ≤ μ Σ pₙ, not for each increment", .source = source,
-       .parameters = {{"pull", 0.97, 0.5, 0.99, "of what holds"}}, .sets = {{"0.9", {{"pull", 0.9}}}}, .run = cone_test, .without = "friction"},
-      {.id = "E8", .title = "Contacts of one point", .group = group, .formula = "a face carries a moment, a point does not", .source = source,
-       .parameters = {{"cubes", 10, 2, 15, "1"}}, .sets = {{"six", {{"cubes", 6}}}}, .run = one_point, .without = "four points"},
-      {.id = "E9", .title = "Turning in a step", .group = group, .formula = "q ← exp(½ Δt ω) q, not q + ½ Δt ω q", .source = source,
-       .parameters = {{"spin", 60, 10, 150, "rad/s"}}, .sets = {{"30 rad/s", {{"spin", 30}}}}, .run = turning, .without = "spin"},
+      {.id = "E1",
+       .title = "Volume of a tetrahedron",
+       .group = group,
+       .formula = "V = a·(b × c)/6, not /4",
+       .source = source,
+       .parameters = {{"a", 2, 0.1, 100, "m"}, {"b", 3, 0.1, 100, "m"}, {"c", 4, 0.1, 100, "m"}},
+       .sets = {{"cube", {{"b", 2}, {"c", 2}}}},
+       .run = volume,
+       .without = "the sixth",
+       .uses_solver = false},
+      {.id = "E2",
+       .title = "Drag has a direction",
+       .group = group,
+       .formula = "F = −B |v| v, not −B v²",
+       .source = source,
+       .parameters = {{"speed", 10, 0.1, 100, "m/s"}, {"drag", 0.5, 0.001, 1, "1/m"}, {"time", 0.1, 0.01, 1, "s"}},
+       .sets = {{"thin air", {{"drag", 0.1}, {"time", 0.5}}}},
+       .run = drag,
+       .without = "drag"},
+      {.id = "E3",
+       .title = "Sliding impulse",
+       .group = group,
+       .formula = "pₙ = −(1+e) uₙ/(nᵀK(n − μ t)), not of Δuₙ",
+       .source = source,
+       .parameters = {{"along", 3, 2, 20, "m/s"},
+                      {"down", 4, 0.1, 20, "m/s"},
+                      {"restitution", 0.5, 0, 0.9, "1"},
+                      {"friction", 0.1, 0.01, 0.15, "1"}},
+       .sets = {{"e = 0", {{"restitution", 0}, {"down", 2}}}},
+       .run = sliding,
+       .without = "friction"},
+      {.id = "E4",
+       .title = "Impulse of a bar",
+       .group = group,
+       .formula = "p = −(uₙ/nᵀKn) n, not K⁻¹(−uₙ n)",
+       .source = source,
+       .parameters = {{"states", 300, 10, 1e5, "1"}, {"seed", 1, 0, 1e9, "1"}},
+       .sets = {{"other states", {{"seed", 2}}}},
+       .run = bar,
+       .without = "the engine"},
+      {.id = "E5",
+       .title = "Correction of overlaps",
+       .group = group,
+       .formula = "Δu_e = b (δ − δ_max)/Δt is a velocity, not an impulse",
+       .source = source,
+       .parameters = {{"mass", 1000, 2, 1e6, "kg"}, {"overlap", 0.11, 0.02, 0.3, "m"}},
+       .sets = {{"10 kg", {{"mass", 10}, {"overlap", 0.06}}}},
+       .run = correction,
+       .without = "impulses"},
+      {.id = "E6",
+       .title = "What sub-steps cost",
+       .group = group,
+       .formula = "n sub-steps cost n times as much; time does not pass faster",
+       .source = source,
+       .parameters = {{"sub-steps", 4, 2, 100, "1"}},
+       .sets = {{"ten", {{"sub-steps", 10}}}},
+       .run = cost,
+       .without = "gravity"},
+      {.id = "E7",
+       .title = "Friction cone",
+       .group = group,
+       .formula = "|Σ p_t| ≤ μ Σ pₙ, not for each increment",
+       .source = source,
+       .parameters = {{"pull", 0.97, 0.5, 0.99, "of what holds"}},
+       .sets = {{"0.9", {{"pull", 0.9}}}},
+       .run = cone_test,
+       .without = "friction"},
+      {.id = "E8",
+       .title = "Contacts of one point",
+       .group = group,
+       .formula = "a face carries a moment, a point does not",
+       .source = source,
+       .parameters = {{"cubes", 10, 2, 15, "1"}},
+       .sets = {{"six", {{"cubes", 6}}}},
+       .run = one_point,
+       .without = "four points"},
+      {.id = "E9",
+       .title = "Turning in a step",
+       .group = group,
+       .formula = "q ← exp(½ Δt ω) q, not q + ½ Δt ω q",
+       .source = source,
+       .parameters = {{"spin", 60, 10, 150, "rad/s"}},
+       .sets = {{"30 rad/s", {{"spin", 30}}}},
+       .run = turning,
+       .without = "spin"},
   };
 }
 

@@ -48,8 +48,10 @@ void incline(Run& run) {
     const double way = i.position(block).x, slide = g * (std::sin(angle) - mu * std::cos(angle)) * t * t / 2;
     char name[64];
     std::snprintf(name, sizeof name, "tan θ = %.3f μ: way in 5 s", share);
-    if (share < 1) run.check(name, "m", 0, way, 1e-5);
-    else run.relative(name, "m", slide, way, 0.01);
+    if (share < 1)
+      run.check(name, "m", 0, way, 1e-5);
+    else
+      run.relative(name, "m", slide, way, 0.01);
   }
   const double angle = run["slope"] * pi / 180, slippery = run["slippery"], s = 1.5;
   const double low = run.with("friction", slippery);
@@ -62,7 +64,8 @@ void incline(Run& run) {
     plot.simulation.emplace_back(i.world.time(), i.position(block).x);
   });
   const double n = std::round(s / h);
-  run.relative("steep incline: way in 1.5 s, discrete law", "m", a * h * h * n * (n + 1) / 2, i.position(block).x, 0.005);
+  run.relative("steep incline: way in 1.5 s, discrete law", "m", a * h * h * n * (n + 1) / 2, i.position(block).x,
+               0.005);
   run.deviation(std::fabs(i.position(block).x - a * s * s / 2));
 }
 
@@ -100,7 +103,8 @@ void spinning_plate(Run& run) {
   const auto law = [&](double, const Vector& y) {  // x, z, turn, vx, vz, ω
     double fx = 0, fz = 0, torque = 0;
     for (int k = 0; k < 4; ++k) {
-      const double angle = y[2] + pi / 4 + k * pi / 2, x = a / std::sqrt(2) * std::cos(angle), z = a / std::sqrt(2) * std::sin(angle);
+      const double angle = y[2] + pi / 4 + k * pi / 2, x = a / std::sqrt(2) * std::cos(angle),
+                   z = a / std::sqrt(2) * std::sin(angle);
       const double ux = y[3] - y[5] * z, uz = y[4] + y[5] * x, u = std::max(1e-9, std::hypot(ux, uz));
       fx -= ux / u, fz -= uz / u, torque -= (x * uz - z * ux) / u;
     }
@@ -126,7 +130,8 @@ void spinning_plate(Run& run) {
   run.until(w, 1.3 * stop.t, [&] {
     turn -= double(w[plate].spin().y) * w.config().dt;
     plot.simulation.emplace_back(w[plate].center().x, w[plate].center().z);
-    if (std::isnan(rest) && double(length(w[plate].velocity()) + length(w[plate].spin()) * Real(a) / 2) < 0.01) rest = w.time();
+    if (std::isnan(rest) && double(length(w[plate].velocity()) + length(w[plate].spin()) * Real(a) / 2) < 0.01)
+      rest = w.time();
   });
   Vector y{0, 0, 0, v, 0, omega};
   for (int k = 1; k <= 100; ++k) {
@@ -141,7 +146,8 @@ void spinning_plate(Run& run) {
 
 // V35. A block thrown sideways on an incline: friction against its velocity, an ordinary differential equation.
 void sideways(Run& run) {
-  const double g = standard_gravity, mu = run["friction"], angle = run["slope"] * pi / 180, v = run["speed"], t = run["time"];
+  const double g = standard_gravity, mu = run["friction"], angle = run["slope"] * pi / 180, v = run["speed"],
+               t = run["time"];
   const auto law = [&](double, const Vector& y) {
     const double u = std::hypot(y[2], y[3]), brake = mu * g * std::cos(angle) / std::max(u, 1e-12);
     return Vector{y[2], y[3], -brake * y[2], g * std::sin(angle) - brake * y[3]};
@@ -170,7 +176,11 @@ void conveyor(Run& run) {
   World w(run.fine_config());
   add_gravity(w, g);
   const Material m = material(run.with("friction", mu));
-  w.add({.shape = box({40, 1, 4}), .at = {0, -0.5, 0}, .velocity = {Real(v), 0, 0}, .material = m, .motion = Motion::kinematic});
+  w.add({.shape = box({40, 1, 4}),
+         .at = {0, -0.5, 0},
+         .velocity = {Real(v), 0, 0},
+         .material = m,
+         .motion = Motion::kinematic});
   BodyDef def = flat_block(m);
   def.at = {0, 0.1, 0};
   const Body block = w.add(def);
@@ -201,7 +211,8 @@ std::vector<Case> friction() {
        .sets = {{"μ = 0.3", {{"friction", 0.3}, {"slippery", 0.2}}}},
        .run = incline,
        .without = "friction",
-       .others = "Jolt creeps 5e-8 m, onset within 0.5 %; Box3D creeps 2.9e-4 … 8e-4 m; Havok sticks at 1.02; PhysX creeps 0.065 m",
+       .others = "Jolt creeps 5e-8 m, onset within 0.5 %; Box3D creeps 2.9e-4 … 8e-4 m; Havok sticks at 1.02; PhysX "
+                 "creeps 0.065 m",
        .sweep = "the way down the steep incline",
        .order = 1},
       {.id = "V16",
@@ -221,17 +232,24 @@ std::vector<Case> friction() {
        .group = "Friction",
        .formula = "each corner bears m g/4 and rubs against its own velocity",
        .source = "Contensou 1963; independent solution, Dormand & Prince 5(4)",
-       .parameters = {{"friction", 0.3, 0.05, 1, "1"}, {"speed", 1.5, 0.1, 10, "m/s"}, {"spin", 12, 0, 60, "rad/s"}, {"edge", 1, 0.1, 5, "m"}},
+       .parameters = {{"friction", 0.3, 0.05, 1, "1"},
+                      {"speed", 1.5, 0.1, 10, "m/s"},
+                      {"spin", 12, 0, 60, "rad/s"},
+                      {"edge", 1, 0.1, 5, "m"}},
        .sets = {{"slower spin", {{"spin", 4}}}},
        .run = spinning_plate,
        .without = "friction",
-       .others = "way (1.383 m): Bullet 1.395, MuJoCo 1.349, PhysX 1.161, Havok 1.619; Box3D, Rapier, Jolt 0.37 … 0.38"},
+       .others =
+           "way (1.383 m): Bullet 1.395, MuJoCo 1.349, PhysX 1.161, Havok 1.619; Box3D, Rapier, Jolt 0.37 … 0.38"},
       {.id = "V35",
        .title = "Sideways on an incline",
        .group = "Friction",
        .formula = "v̇ = g sin α ŝ − μ g cos α v̂",
        .source = "Coulomb's cone; independent solution, Dormand & Prince 5(4)",
-       .parameters = {{"friction", 0.5, 0.05, 1, "1"}, {"slope", 20, 1, 45, "°"}, {"speed", 2, 0.1, 10, "m/s"}, {"time", 0.5, 0.1, 1, "s"}},
+       .parameters = {{"friction", 0.5, 0.05, 1, "1"},
+                      {"slope", 20, 1, 45, "°"},
+                      {"speed", 2, 0.1, 10, "m/s"},
+                      {"time", 0.5, 0.1, 1, "s"}},
        .sets = {{"steeper", {{"slope", 30}, {"friction", 0.4}}}},
        .run = sideways,
        .without = "friction",

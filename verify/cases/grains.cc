@@ -1,5 +1,5 @@
-// Many balls: a heap, an hourglass, a silo, a shaken box. What is known of them is measured, not derived: ranges. Lengths
-// are in diameters of a grain, which is 1 m: the laws have no length of their own.
+// Many balls: a heap, an hourglass, a silo, a shaken box. What is known of them is measured, not derived: ranges.
+// Lengths are in diameters of a grain, which is 1 m: the laws have no length of their own.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +17,8 @@ constexpr double grain_mass = 1;
 void add_shaft(World& w, double width, const Material& m) {
   for (int side = 0; side < 4; ++side) {
     const double angle = side * pi / 2;
-    const Quat turn = axis_angle(Vec3{0, 1, 0}, Real(angle)) * axis_angle(Vec3{0, 0, 1}, Real(pi / 2));  // y to −x, and on
+    const Quat turn =
+        axis_angle(Vec3{0, 1, 0}, Real(angle)) * axis_angle(Vec3{0, 0, 1}, Real(pi / 2));  // y to −x, and on
     add_ground(w, m, Pos{} - rotate(convert<double>(turn), Vec3d{0, width / 2, 0}), turn);
   }
 }
@@ -34,30 +35,37 @@ std::vector<Body> fill(World& w, int n, double width, double y, const Material& 
   for (int i = 0; i < n; ++i) {
     const double wobble = (pitch - 1) / 2;
     const auto place = [&](int k) { return (k + 0.5) * pitch - width / 2 + random.between(-wobble, wobble); };
-    grains.push_back(add_grain(w, {place(i % side), y + 0.55 + 1.1 * double(i / (side * side)), place(i / side % side)}, m));
+    grains.push_back(
+        add_grain(w, {place(i % side), y + 0.55 + 1.1 * double(i / (side * side)), place(i / side % side)}, m));
   }
   return grains;
 }
 
-// V47. A slice of grains between smooth walls, on a rough floor, loses its right side and slides out; the slope that stays
-// is the angle of repose. (A heap of some hundred grains on a table is steeper by 10°: it is too low.)
+// V47. A slice of grains between smooth walls, on a rough floor, loses its right side and slides out; the slope that
+// stays is the angle of repose. (A heap of some hundred grains on a table is steeper by 10°: it is too low.)
 std::vector<std::pair<double, double>> slope_that_stays(Run& run, std::uint32_t seed) {
   const double length = run["length"], thick = 3.3;
   World w(run.config());
   add_gravity(w, standard_gravity);
   const Material m = material(run.with("friction", run["friction"])), smooth = material(0);
-  for (const double side : {-1.0, 1.0}) add_ground(w, smooth, {0, 0, -side * thick / 2}, axis_angle(Vec3{1, 0, 0}, Real(side * pi / 2)));
+  for (const double side : {-1.0, 1.0})
+    add_ground(w, smooth, {0, 0, -side * thick / 2}, axis_angle(Vec3{1, 0, 0}, Real(side * pi / 2)));
   add_ground(w, smooth, {}, axis_angle(Vec3{0, 0, 1}, Real(-pi / 2)));
   for (int i = 0; i < int(length); ++i) {
-    for (int k = -1; k <= 1; ++k) w.add({.shape = sphere(0.5), .at = {i + 0.5, 0, 1.1 * k}, .material = m, .motion = Motion::fixed});
+    for (int k = -1; k <= 1; ++k)
+      w.add({.shape = sphere(0.5), .at = {i + 0.5, 0, 1.1 * k}, .material = m, .motion = Motion::fixed});
   }
-  const Body gate = w.add({.shape = box({1, Real(2 * length), Real(thick)}), .at = {length + 0.5, length, 0}, .material = smooth, .motion = Motion::fixed});
+  const Body gate = w.add({.shape = box({1, Real(2 * length), Real(thick)}),
+                           .at = {length + 0.5, length, 0},
+                           .material = smooth,
+                           .motion = Motion::fixed});
   Random random{seed};
   const int columns = int(length / 1.2), layer = 2 * columns;
   std::vector<Body> grains;
   for (int i = 0; i < int(run["grains"]); ++i) {
     const double x = (i % columns + 0.5) * length / columns, z = i / columns % 2 == 0 ? -0.8 : 0.8;
-    grains.push_back(add_grain(w, {x + random.between(-0.05, 0.05), 1.1 + 1.1 * double(i / layer), z + random.between(-0.2, 0.2)}, m));
+    grains.push_back(add_grain(
+        w, {x + random.between(-0.05, 0.05), 1.1 + 1.1 * double(i / layer), z + random.between(-0.2, 0.2)}, m));
   }
   run.until(w, 5);
   w.remove(gate);
@@ -121,12 +129,14 @@ Discharge discharge(Run& run, double hole) {
     for (const int k : {i, i + 1}) {
       const double angle = 2 * pi * k / parts, inner = hole / 2 / std::cos(pi / parts);
       for (const double r : {inner, outer}) {
-        for (const double y : {-1.0, 0.0}) corners.push_back(convert<Real>(Vec3d{r * std::cos(angle), y, r * std::sin(angle)}));
+        for (const double y : {-1.0, 0.0})
+          corners.push_back(convert<Real>(Vec3d{r * std::cos(angle), y, r * std::sin(angle)}));
       }
     }
     w.add({.shape = hull(corners), .material = m, .motion = Motion::fixed});
   }
-  const Body plug = w.add({.shape = box({Real(width), 1, Real(width)}), .at = {0, -0.5, 0}, .material = m, .motion = Motion::fixed});
+  const Body plug =
+      w.add({.shape = box({Real(width), 1, Real(width)}), .at = {0, -0.5, 0}, .material = m, .motion = Motion::fixed});
   Random random{std::uint32_t(run["seed"])};
   std::vector<Body> grains = fill(w, int(run["grains"]), width, 0, m, random);
   run.until(w, 4);
@@ -154,13 +164,15 @@ void hourglass(Run& run) {
   for (const double hole : {run["hole"] - 1, run["hole"], run["hole"] + 1}) {
     const auto [flow, density] = discharge(run, hole);
     logs.emplace_back(std::log(hole - 1.4), std::log(std::max(flow, 1e-9)));
-    if (hole == run["hole"]) got = flow, exact = 0.58 * density * std::sqrt(standard_gravity) * std::pow(hole - 1.4, 2.5);
+    if (hole == run["hole"])
+      got = flow, exact = 0.58 * density * std::sqrt(standard_gravity) * std::pow(hole - 1.4, 2.5);
   }
   run.relative("grains a second", "1/s", exact, got, 0.1);
   run.check("exponent of D − 1.4 d", "1", 2.5, slope(logs), 0.1);
 }
 
-// V49. The walls of a silo bear part of the weight: p = ρ g λ (1 − e^(−z/λ)), λ = D/4μK (Janssen), K between 0.4 and 0.8.
+// V49. The walls of a silo bear part of the weight: p = ρ g λ (1 − e^(−z/λ)), λ = D/4μK (Janssen), K between 0.4 and
+// 0.8.
 struct SiloFloor {
   double pressure, depth, density;  // Pa, m, kg/m³
 };
@@ -173,7 +185,11 @@ SiloFloor silo_floor(Run& run, int n) {
   add_shaft(w, width, m);
   // The floor sinks slowly, so that the walls carry what they can.
   const double sinks = 0.05;
-  const Body floor = w.add({.shape = box({Real(2 * width), 2, Real(2 * width)}), .at = {0, -1, 0}, .velocity = {0, Real(-sinks), 0}, .material = m, .motion = Motion::kinematic});
+  const Body floor = w.add({.shape = box({Real(2 * width), 2, Real(2 * width)}),
+                            .at = {0, -1, 0},
+                            .velocity = {0, Real(-sinks), 0},
+                            .material = m,
+                            .motion = Motion::kinematic});
   Random random{std::uint32_t(run["seed"])};
   const std::vector<Body> grains = fill(w, n, width, 0, m, random);
   double force = 0, samples = 0, settled = 6;
@@ -182,7 +198,8 @@ SiloFloor silo_floor(Run& run, int n) {
     ++samples;
     for (const Contact& c : w.contacts()) {
       if (c.a != floor && c.b != floor) continue;
-      for (int k = 0; k < c.count; ++k) force += double(c.points[std::size_t(k)].normal_impulse) * std::fabs(double(c.normal.y)) / run.h();
+      for (int k = 0; k < c.count; ++k)
+        force += double(c.points[std::size_t(k)].normal_impulse) * std::fabs(double(c.normal.y)) / run.h();
     }
   });
   const double depth = top_of(w, grains) - (w[floor].center().y + 1);
@@ -201,7 +218,8 @@ void silo(Run& run) {
   const double fitted = off(0.05) > 0 && off(5) < 0 ? root(off, 0.05, 5) : std::nan("");
   run.check("K fitted to the pressure, range 0.4 … 0.8", "1", 0.6, fitted, 0.2);
   run.check("pressure under the full silo / under the half (weight alone: 2)", "1",
-            janssen(run["friction"], run["width"], 0.6, full) / janssen(run["friction"], run["width"], 0.6, half), full.pressure / half.pressure, 0.3);
+            janssen(run["friction"], run["width"], 0.6, full) / janssen(run["friction"], run["width"], 0.6, half),
+            full.pressure / half.pressure, 0.3);
   Plot& plot = run.plot("Pressure on the floor", "depth [d]", "p [Pa]");
   for (int i = 0; i <= 50; ++i) {
     const double z = full.depth * i / 50;
@@ -212,21 +230,29 @@ void silo(Run& run) {
 
 // V50. In a shaken box the largest ball comes up.
 bool rises(Run& run, std::uint32_t seed, Plot& plot) {
-  const double width = 6, big = 1.5, amplitude = 0.3, omega = std::sqrt(run.with("shaking", run["strength"]) * standard_gravity / amplitude);
+  const double width = 6, big = 1.5, amplitude = 0.3,
+               omega = std::sqrt(run.with("shaking", run["strength"]) * standard_gravity / amplitude);
   World w(run.config());
   add_gravity(w, standard_gravity);
   const Material m = material(0.3, 0.2);
   add_shaft(w, width, m);
-  const Body floor = w.add({.shape = box({Real(3 * width), 2, Real(3 * width)}), .at = {0, -1, 0}, .material = m, .motion = Motion::kinematic});
+  const Body floor = w.add({.shape = box({Real(3 * width), 2, Real(3 * width)}),
+                            .at = {0, -1, 0},
+                            .material = m,
+                            .motion = Motion::kinematic});
   Random random{seed};
-  const Body nut = w.add({.shape = sphere(Real(big)), .at = {random.between(-1, 1), big, random.between(-1, 1)}, .mass = Real(grain_mass * std::pow(2 * big, 3)), .material = m});
+  const Body nut = w.add({.shape = sphere(Real(big)),
+                          .at = {random.between(-1, 1), big, random.between(-1, 1)},
+                          .mass = Real(grain_mass * std::pow(2 * big, 3)),
+                          .material = m});
   const std::vector<Body> grains = fill(w, int(run["grains"]), width, 2 * big, m, random);
   const double dt = w.config().dt;
   std::size_t below = 0;
   run.until(w, run["time"], [&] {
     const double t = w.time();
     w.set_velocity(floor, {0, Real(amplitude * (std::sin(omega * (t + dt)) - std::sin(omega * t)) / dt), 0}, {});
-    below = std::size_t(std::count_if(grains.begin(), grains.end(), [&](Body b) { return w[b].center().y < w[nut].center().y; }));
+    below = std::size_t(
+        std::count_if(grains.begin(), grains.end(), [&](Body b) { return w[b].center().y < w[nut].center().y; }));
     if (w.steps() % 20 == 0) plot.simulation.emplace_back(t, double(below) / double(grains.size()));
   });
   return below > grains.size() / 2;
@@ -251,7 +277,10 @@ std::vector<Case> grains() {
        .group = "Grains",
        .formula = "20° … 25° for balls with μ = 0.5 that nothing keeps from rolling",
        .source = "measured range, e.g. Zhou et al., Powder Technol. 125 (2002) 45",
-       .parameters = {{"length", 14, 8, 100, "d"}, {"grains", 500, 50, 1e5, "1"}, {"friction", 0.5, 0.1, 1, "1"}, {"seed", 1, 0, 1e9, "1"}},
+       .parameters = {{"length", 14, 8, 100, "d"},
+                      {"grains", 500, 50, 1e5, "1"},
+                      {"friction", 0.5, 0.1, 1, "1"},
+                      {"seed", 1, 0, 1e9, "1"}},
        .sets = {{"other seeds", {{"seed", 3}}}},
        .run = angle_of_repose,
        .without = "friction",
@@ -261,7 +290,11 @@ std::vector<Case> grains() {
        .group = "Grains",
        .formula = "W = 0.58 ρ √g (D − 1.4 d)^⁵⁄₂ with a bed higher than 2 D",
        .source = "Beverloo et al., Chem. Eng. Sci. 15 (1961) 260",
-       .parameters = {{"hole", 6, 4, 12, "d"}, {"width", 14, 8, 40, "d"}, {"grains", 3000, 100, 1e5, "1"}, {"friction", 0.5, 0, 1, "1"}, {"seed", 1, 0, 1e9, "1"}},
+       .parameters = {{"hole", 6, 4, 12, "d"},
+                      {"width", 14, 8, 40, "d"},
+                      {"grains", 3000, 100, 1e5, "1"},
+                      {"friction", 0.5, 0, 1, "1"},
+                      {"seed", 1, 0, 1e9, "1"}},
        .sets = {{"another seed", {{"seed", 2}}}},
        .run = hourglass,
        .without = "hole",
@@ -271,7 +304,10 @@ std::vector<Case> grains() {
        .group = "Grains",
        .formula = "p = ρ g λ (1 − e^(−z/λ)), λ = D/4μK, K = 0.4 … 0.8",
        .source = "Janssen 1895; a square shaft has the same λ",
-       .parameters = {{"width", 6, 3, 20, "d"}, {"grains", 600, 50, 1e5, "1"}, {"friction", 0.5, 0.1, 1, "1"}, {"seed", 1, 0, 1e9, "1"}},
+       .parameters = {{"width", 6, 3, 20, "d"},
+                      {"grains", 600, 50, 1e5, "1"},
+                      {"friction", 0.5, 0.1, 1, "1"},
+                      {"seed", 1, 0, 1e9, "1"}},
        .sets = {{"another seed", {{"seed", 2}}}},
        .run = silo,
        .without = "friction",
@@ -281,7 +317,10 @@ std::vector<Case> grains() {
        .group = "Grains",
        .formula = "the large ball rises, whatever the seed",
        .source = "Rosato et al., Phys. Rev. Lett. 58 (1987) 1038",
-       .parameters = {{"grains", 150, 50, 5000, "1"}, {"strength", 3, 1.2, 10, "g"}, {"time", 25, 1, 300, "s"}, {"seed", 1, 0, 1e9, "1"}},
+       .parameters = {{"grains", 150, 50, 5000, "1"},
+                      {"strength", 3, 1.2, 10, "g"},
+                      {"time", 25, 1, 300, "s"},
+                      {"seed", 1, 0, 1e9, "1"}},
        .sets = {{"stronger", {{"strength", 5}}}},
        .run = brazil_nut,
        .without = "shaking",

@@ -13,7 +13,11 @@ namespace {
 constexpr double ball_radius = 0.1;
 
 Body add_ball(World& w, double x, double velocity, const Material& m, double mass = 1) {
-  return w.add({.shape = sphere(Real(ball_radius)), .at = {x, 0, 0}, .velocity = {Real(velocity), 0, 0}, .mass = Real(mass), .material = m});
+  return w.add({.shape = sphere(Real(ball_radius)),
+                .at = {x, 0, 0},
+                .velocity = {Real(velocity), 0, 0},
+                .mass = Real(mass),
+                .material = m});
 }
 
 // A ball runs into a row of balls; gaps are a share of the diameter.
@@ -48,7 +52,8 @@ void head_on(Run& run) {
   const Body a = add_ball(w, -0.3, v, m, m1), b = add_ball(w, 0, 0, m, m2);
   run.until(w, 0.5 + 0.5 / v);
   const double first = (m1 - m2) * v / (m1 + m2);
-  run.check("velocity of the first", "m/s", first, double(w[a].velocity().x), 1e-5 * (first != 0 ? std::fabs(first) : v));
+  run.check("velocity of the first", "m/s", first, double(w[a].velocity().x),
+            1e-5 * (first != 0 ? std::fabs(first) : v));
   run.relative("velocity of the second", "m/s", 2 * m1 * v / (m1 + m2), double(w[b].velocity().x), 1e-5);
 }
 
@@ -57,8 +62,10 @@ void oblique(Run& run) {
   const double b = run["offset"], v = run["speed"], across = std::sqrt(1 - b * b);
   World w(run.config());
   const Material m = material(0, run.with("restitution", 1));
-  const Body first = w.add({.shape = sphere(Real(ball_radius)), .at = {-0.5, 0, 0}, .velocity = {Real(v), 0, 0}, .mass = 1, .material = m});
-  const Body second = w.add({.shape = sphere(Real(ball_radius)), .at = {0, 2 * ball_radius * b, 0}, .mass = 1, .material = m});
+  const Body first = w.add(
+      {.shape = sphere(Real(ball_radius)), .at = {-0.5, 0, 0}, .velocity = {Real(v), 0, 0}, .mass = 1, .material = m});
+  const Body second =
+      w.add({.shape = sphere(Real(ball_radius)), .at = {0, 2 * ball_radius * b, 0}, .mass = 1, .material = m});
   run.until(w, 1);
   const Vec3d a = convert<double>(w[first].velocity()), c = convert<double>(w[second].velocity());
   run.check("first, along", "m/s", v * b * b, a.x, 1e-4);
@@ -74,7 +81,8 @@ void bounces(Run& run) {
   World w(run.fine_config());
   add_gravity(w, run.with("gravity", g));
   add_ground(w, material(0.5, e));
-  const Body ball = w.add({.shape = sphere(Real(ball_radius)), .at = {0, h + ball_radius, 0}, .material = material(0.5, e)});
+  const Body ball =
+      w.add({.shape = sphere(Real(ball_radius)), .at = {0, h + ball_radius, 0}, .material = material(0.5, e)});
   std::vector<double> apexes;
   double highest = 0;
   bool rising = false;
@@ -115,7 +123,10 @@ void elastic_balls(Run& run) {
   const Material elastic = material(0, run.with("restitution", 1));
   add_ground(w, elastic);
   for (int i = 0; i < n; ++i) {
-    w.add({.shape = sphere(Real(r)), .at = {double(i % side), height, double(i / side)}, .mass = Real(m), .material = elastic});
+    w.add({.shape = sphere(Real(r)),
+           .at = {double(i % side), height, double(i / side)},
+           .mass = Real(m),
+           .material = elastic});
   }
   const double energy = n * m * g * height;
   double sum = 0, steps = 0;
@@ -136,7 +147,8 @@ void aslant(Run& run) {
   World w(run.config());
   const Material m = material(run.with("friction", mu), e);
   add_ground(w, m);
-  const Body ball = w.add({.shape = sphere(Real(r)), .at = {0, r, 0}, .velocity = {Real(vx), Real(-vn), 0}, .mass = 1, .material = m});
+  const Body ball = w.add(
+      {.shape = sphere(Real(r)), .at = {0, r, 0}, .velocity = {Real(vx), Real(-vn), 0}, .mass = 1, .material = m});
   w.step();
   const bool grips = mu > 2.0 / 7 * vx / ((1 + e) * vn);
   const double taken = grips ? 2.0 / 7 * vx : mu * (1 + e) * vn;
@@ -154,19 +166,25 @@ void struck_rod(Run& run) {
   BodyDef def = thin_rod(l, m, thickness);
   def.material = elastic;
   const Body rod = w.add(def);
-  const Body ball = w.add({.shape = sphere(0.05), .at = {d, 0.05 + thickness / 2, 0}, .velocity = {0, Real(-v), 0}, .mass = Real(mb), .material = elastic});
+  const Body ball = w.add({.shape = sphere(0.05),
+                           .at = {d, 0.05 + thickness / 2, 0},
+                           .velocity = {0, Real(-v), 0},
+                           .mass = Real(mb),
+                           .material = elastic});
   w.step();
   run.relative("velocity of the ball", "m/s", impulse / mb - v, double(w[ball].velocity().y), 1e-3);
   run.relative("velocity of the rod", "m/s", impulse / m, -double(w[rod].velocity().y), 1e-3);
   run.relative("spin of the rod", "rad/s", impulse * d / inertia, -double(w[rod].spin().z), 1e-3);
 
-  const double big = run["pendulum"], long_ = run["pendulum length"], mv = run["bullet"], fast = run["bullet speed"], g = standard_gravity;
+  const double big = run["pendulum"], long_ = run["pendulum length"], mv = run["bullet"], fast = run["bullet speed"],
+               g = standard_gravity;
   World p(run.fine_config());
   add_gravity(p, g);
   BodyDef hanging = thin_rod(long_, big);
   hanging.at = {0, -long_ / 2, 0}, hanging.turn = axis_angle(Vec3{0, 0, 1}, Real(-pi / 2));
   const Body target = p.add(hanging);
-  const Body bullet = p.add({.shape = sphere(0.005), .at = {0, -long_, 0}, .velocity = {Real(fast), 0, 0}, .mass = Real(mv)});
+  const Body bullet =
+      p.add({.shape = sphere(0.005), .at = {0, -long_, 0}, .velocity = {Real(fast), 0, 0}, .mass = Real(mv)});
   p.join(Hinge{.b = target});
   p.join(Fixed{.a = target, .b = bullet, .at = {0, -long_, 0}});
   const double whole = (big / 3 + mv) * long_ * long_, omega = mv * fast * long_ / whole;
@@ -190,8 +208,12 @@ bool bounces_once_a_period(Run& run, double strength) {
   add_gravity(w, run.with("gravity", g));
   const Material m = material(0, e);
   const auto plate_at = [&](double t) { return amplitude * std::sin(omega * t + phase); };
-  const Body plate = w.add({.shape = box({1, 1, 1}), .at = {0, plate_at(0) - 0.5, 0}, .material = m, .motion = Motion::kinematic});
-  const Body ball = w.add({.shape = sphere(Real(r)), .at = {0, plate_at(0) + r, 0}, .velocity = {0, Real(g * period / 2), 0}, .material = m});
+  const Body plate =
+      w.add({.shape = box({1, 1, 1}), .at = {0, plate_at(0) - 0.5, 0}, .material = m, .motion = Motion::kinematic});
+  const Body ball = w.add({.shape = sphere(Real(r)),
+                           .at = {0, plate_at(0) + r, 0},
+                           .velocity = {0, Real(g * period / 2), 0},
+                           .material = m});
   w.place(plate, {{0, plate_at(0) - 0.5, 0}, {}});
   std::vector<double> impacts;
   double before = double(w[ball].velocity().y);
@@ -218,7 +240,8 @@ void vibrating_plate(Run& run) {
 }
 
 std::vector<Case> impacts() {
-  const std::vector<Parameter> row = {{"balls", 5, 2, 20, "1"}, {"gap", 0.001, 0, 0.1, "diameters"}, {"speed", 1, 0.1, 10, "m/s"}};
+  const std::vector<Parameter> row = {
+      {"balls", 5, 2, 20, "1"}, {"gap", 0.001, 0, 0.1, "diameters"}, {"speed", 1, 0.1, 10, "m/s"}};
   std::vector<Parameter> touching = row;
   touching[1].value = 0;
   return {
@@ -235,7 +258,8 @@ std::vector<Case> impacts() {
       {.id = "V10b",
        .title = "Newton's cradle, touching",
        .group = "Impacts",
-       .formula = "sequential impacts, the rule of this engine: (0, 0, 0, 0, v); one simultaneous impact after Newton: v (2−n, 2 … 2)/n",
+       .formula = "sequential impacts, the rule of this engine: (0, 0, 0, 0, v); one simultaneous impact after Newton: "
+                  "v (2−n, 2 … 2)/n",
        .source = "sequential: a chain of elastic impacts; energy constant under either rule",
        .parameters = touching,
        .sets = {{"three, fast", {{"balls", 3}, {"speed", 3}}}},
@@ -281,14 +305,18 @@ std::vector<Case> impacts() {
        .run = elastic_balls,
        .without = "restitution",
        .effort = Effort::normal,
-       .others = "1 ms (floor 185): Jolt 184.5, PhysX TGS 184.8, ODE 185.0; PhysX PGS 75 260, Bullet 75 245, Rapier 66 120, Box3D "
+       .others = "1 ms (floor 185): Jolt 184.5, PhysX TGS 184.8, ODE 185.0; PhysX PGS 75 260, Bullet 75 245, Rapier 66 "
+                 "120, Box3D "
                  "296 518 (19 131 with 4 sub-steps), Havok 3.2e6"},
       {.id = "V14",
        .title = "Friction in an impact",
        .group = "Impacts",
        .formula = "grip: v' = ⁵⁄₇ v, R ω = ⁵⁄₇ v; slip: Δv = μ (1+e) vₙ; limit μ = ²⁄₇ v/((1+e) vₙ)",
        .source = "impulse and its moment on a solid ball",
-       .parameters = {{"along", 3, 0.1, 20, "m/s"}, {"down", 4, 0.1, 20, "m/s"}, {"restitution", 0.5, 0, 1, "1"}, {"friction", 1, 0.01, 10, "1"}},
+       .parameters = {{"along", 3, 0.1, 20, "m/s"},
+                      {"down", 4, 0.1, 20, "m/s"},
+                      {"restitution", 0.5, 0, 1, "1"},
+                      {"friction", 1, 0.01, 10, "1"}},
        .sets = {{"slip", {{"friction", 0.1}}}},
        .run = aslant,
        .without = "friction",
@@ -305,9 +333,15 @@ std::vector<Case> impacts() {
        .group = "Impacts",
        .formula = "J = 2 v/(1/m_b + 1/m + d²/I); ω = m_b v L/((M/3 + m_b) L²)",
        .source = "momentum, angular momentum, energy",
-       .parameters = {{"length", 1, 0.1, 10, "m"}, {"mass", 1, 0.1, 10, "kg"}, {"ball", 0.2, 0.01, 10, "kg"}, {"speed", 10, 1, 30, "m/s"},
-                      {"arm", 0.5, 0.05, 0.5, "m"}, {"pendulum", 1.5, 0.1, 10, "kg"}, {"pendulum length", 1.2, 0.1, 10, "m"},
-                      {"bullet", 0.01, 0.001, 1, "kg"}, {"bullet speed", 400, 10, 1000, "m/s"}},
+       .parameters = {{"length", 1, 0.1, 10, "m"},
+                      {"mass", 1, 0.1, 10, "kg"},
+                      {"ball", 0.2, 0.01, 10, "kg"},
+                      {"speed", 10, 1, 30, "m/s"},
+                      {"arm", 0.5, 0.05, 0.5, "m"},
+                      {"pendulum", 1.5, 0.1, 10, "kg"},
+                      {"pendulum length", 1.2, 0.1, 10, "m"},
+                      {"bullet", 0.01, 0.001, 1, "kg"},
+                      {"bullet speed", 400, 10, 1000, "m/s"}},
        .sets = {{"nearer", {{"arm", 0.25}, {"ball", 1}, {"bullet speed", 300}}}},
        .run = struck_rod,
        .without = "restitution"},

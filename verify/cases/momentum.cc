@@ -22,8 +22,14 @@ void closed_box(Run& run) {
       Vec3 edges{Real(room + 2 * thick), Real(room + 2 * thick), Real(room + 2 * thick)};
       Vec3d at;
       edges[axis] = Real(thick), at[axis] = side * (room + thick) / 2;
-      slabs.push_back(w.add({.shape = box(edges), .at = Pos{} + at, .mass = 50, .material = m, .filter = {.group = -1}, .motion = run.without("free walls") ? Motion::fixed : Motion::dynamic}));
-      if (slabs.size() > 1 && !run.without("free walls")) w.join(Fixed{.a = slabs[0], .b = slabs.back(), .at = Pos{} + at});
+      slabs.push_back(w.add({.shape = box(edges),
+                             .at = Pos{} + at,
+                             .mass = 50,
+                             .material = m,
+                             .filter = {.group = -1},
+                             .motion = run.without("free walls") ? Motion::fixed : Motion::dynamic}));
+      if (slabs.size() > 1 && !run.without("free walls"))
+        w.join(Fixed{.a = slabs[0], .b = slabs.back(), .at = Pos{} + at});
     }
   }
   Random random{std::uint32_t(run["seed"])};
@@ -33,7 +39,12 @@ void closed_box(Run& run) {
     const Vec3 velocity{some(-3, 3), some(-3, 3), some(-3, 3)};
     const Pos at{i % 6 - 2.5, i / 6 % 6 - 2.5, i / 36 - 2.5};
     scale += double(length(velocity));
-    w.add({.shape = i % 2 == 0 ? sphere(0.3) : box({0.5, 0.4, 0.6}), .at = at, .velocity = velocity, .spin = {some(-2, 2), some(-2, 2), some(-2, 2)}, .mass = 1, .material = m});
+    w.add({.shape = i % 2 == 0 ? sphere(0.3) : box({0.5, 0.4, 0.6}),
+           .at = at,
+           .velocity = velocity,
+           .spin = {some(-2, 2), some(-2, 2), some(-2, 2)},
+           .mass = 1,
+           .material = m});
   }
   const Momentum before = w.momentum();
   double worst = 0;
@@ -57,7 +68,10 @@ std::vector<Case> momentum() {
            .group = "Impacts",
            .formula = "Σ m v constant",
            .source = "Newton's third law",
-           .parameters = {{"bodies", 200, 1, 216, "1"}, {"steps", 10000, 10, 1e6, "1"}, {"restitution", 0.8, 0, 1, "1"}, {"seed", 1, 0, 1e9, "1"}},
+           .parameters = {{"bodies", 200, 1, 216, "1"},
+                          {"steps", 10000, 10, 1e6, "1"},
+                          {"restitution", 0.8, 0, 1, "1"},
+                          {"seed", 1, 0, 1e9, "1"}},
            .sets = {{"inelastic", {{"restitution", 0}, {"steps", 2000}}}},
            .run = closed_box,
            .without = "free walls",

@@ -71,7 +71,8 @@ void rod_pendulum(Run& run) {
   });
   const auto& z = zeros.moments();
   const std::size_t swings = z.empty() ? 0 : (z.size() - 1) / 2;
-  run.relative("period, mean of all", "s", period, swings > 0 ? (z[2 * swings] - z[0]) / double(swings) : std::nan(""), 5e-4);
+  run.relative("period, mean of all", "s", period, swings > 0 ? (z[2 * swings] - z[0]) / double(swings) : std::nan(""),
+               5e-4);
   run.check("change of the energy", "%", 0, 100 * energy.change() / swing, 0.5);
   run.below("largest gap of the hinge", "m", gap, 1e-4);
 }
@@ -128,7 +129,8 @@ void bar_joint(Run& run) {
   World w(run.config());
   add_gravity(w, g);
   const double r = l * std::sin(cone), y = -l * std::cos(cone);
-  const Body weight = w.add({.shape = sphere(0.05), .at = {r, y, 0}, .velocity = {0, 0, Real(-omega * r)}, .mass = Real(m)});
+  const Body weight =
+      w.add({.shape = sphere(0.05), .at = {r, y, 0}, .velocity = {0, 0, Real(-omega * r)}, .mass = Real(m)});
   const Joint bar = w.join(Bar{.b = weight, .at_b = {r, y, 0}});
   double phi = 0, before = 0, tension = 0, n = 0;
   const double t = 10;
@@ -147,7 +149,8 @@ void bar_joint(Run& run) {
   std::array<Body, 2> ends;
   for (int k : {0, 1}) {
     const Real side = k == 0 ? 1 : -1;
-    ends[std::size_t(k)] = free.add({.shape = sphere(0.05), .at = {side * l, 0, 0}, .velocity = {0, Real(spin * l) * side, 0}, .mass = Real(m)});
+    ends[std::size_t(k)] = free.add(
+        {.shape = sphere(0.05), .at = {side * l, 0, 0}, .velocity = {0, Real(spin * l) * side, 0}, .mass = Real(m)});
   }
   const Joint rod = free.join(Bar{.a = ends[0], .b = ends[1], .at_a = {l, 0, 0}, .at_b = {-l, 0, 0}});
   tension = n = 0;
@@ -195,10 +198,17 @@ void linkage(Run& run) {
   c.dt = 1e-3, c.substeps = 1;
   World pendulum(c);
   add_gravity(pendulum, run.with("gravity", g));
-  const Body weight = pendulum.add({.shape = sphere(0.05), .at = {-1, 0, 0}, .mass = 1, .inertia = Mat3::diagonal({Real(1e-5), Real(1e-5), Real(1e-5)})});
+  const Body weight = pendulum.add({.shape = sphere(0.05),
+                                    .at = {-1, 0, 0},
+                                    .mass = 1,
+                                    .inertia = Mat3::diagonal({Real(1e-5), Real(1e-5), Real(1e-5)})});
   pendulum.join(Hinge{.b = weight});
   run.until(pendulum, 10);
-  const Vector end = solve_ode([&](double, const Vector& y) { return Vector{y[1], -g * std::sin(y[0])}; }, 0, {-pi / 2, 0}, 10);
+  const Vector end = solve_ode(
+      [&](double, const Vector& y) {
+        return Vector{y[1], -g * std::sin(y[0])};
+      },
+      0, {-pi / 2, 0}, 10);
   run.check("A01: x at 10 s", "m", std::sin(end[0]), pendulum[weight].center().x, 0.01);
   run.check("A01: y at 10 s", "m", -std::cos(end[0]), pendulum[weight].center().y, 0.01);
 
@@ -222,14 +232,17 @@ void linkage(Run& run) {
     w.join(Hinge{.a = couplers.back(), .b = bars.back(), .at = {double(k), 1, 0}});
   }
   // From upright: ω² = v² + 2 moment/inertia (1 − cos).
-  const auto rate = [&](double angle) { return std::sqrt(speed * speed + 2 * moment / inertia * (1 - std::cos(angle))); };
+  const auto rate = [&](double angle) {
+    return std::sqrt(speed * speed + 2 * moment / inertia * (1 - std::cos(angle)));
+  };
   const double turn = integral([&](double a) { return 1 / rate(a); }, 0, 2 * pi);
   double fastest = 0, angle = 0, before = 0, done = std::nan("");
   Plot& plot = run.plot("A02: turning rate", "angle [rad]", "ω [rad/s]");
   run.until(w, 1.5 * turn, [&] {
     const Vec3 along = rotate(w[bars[0]].pose().q, Vec3{1, 0, 0});
     const double now = std::atan2(double(along.x), double(along.y)), step = std::remainder(now - before, 2 * pi);
-    if (std::isnan(done) && angle < 2 * pi && angle + step >= 2 * pi) done = w.time() - c.dt * (angle + step - 2 * pi) / step;
+    if (std::isnan(done) && angle < 2 * pi && angle + step >= 2 * pi)
+      done = w.time() - c.dt * (angle + step - 2 * pi) / step;
     angle += step, before = now;
     fastest = std::max(fastest, -double(w[bars[0]].spin().z));
     if (angle > 2 * pi || std::fmod(double(w.steps()), 10) != 0) return;
@@ -249,11 +262,15 @@ std::vector<Case> pendulums() {
        .group = "Joints",
        .formula = "T = 4 √(I/(m g d)) K(sin² θ₀/2); energy constant",
        .source = "complete elliptic integral",
-       .parameters = {{"length", 1, 0.1, 10, "m"}, {"mass", 1, 0.01, 100, "kg"}, {"angle", 90, 1, 179.5, "°"}, {"time", 60, 5, 600, "s"}},
+       .parameters = {{"length", 1, 0.1, 10, "m"},
+                      {"mass", 1, 0.01, 100, "kg"},
+                      {"angle", 90, 1, 179.5, "°"},
+                      {"time", 60, 5, 600, "s"}},
        .sets = {{"30°", {{"angle", 30}}}, {"150°", {{"angle", 150}}}, {"179°", {{"angle", 179}}}},
        .run = rod_pendulum,
        .without = "gravity",
-       .others = "90°, 60 s: PhysX TGS +0.15 % period, −2.8 … +4.0 % energy; Box3D −0.25 %, −3.2 … +0.6 %; all others lose 60 % "
+       .others = "90°, 60 s: PhysX TGS +0.15 % period, −2.8 … +4.0 % energy; Box3D −0.25 %, −3.2 … +0.6 %; all others "
+                 "lose 60 % "
                  "of the energy or more"},
       {.id = "V08",
        .title = "Double pendulum",
@@ -273,7 +290,10 @@ std::vector<Case> pendulums() {
        .group = "Joints",
        .formula = "ω = √(g/(L cos α)), T = m g/cos α; T = m ω² r",
        .source = "circular motion",
-       .parameters = {{"length", 1, 0.1, 10, "m"}, {"mass", 1, 0.01, 100, "kg"}, {"cone", 40, 5, 80, "°"}, {"spin", 5, 0.5, 30, "rad/s"}},
+       .parameters = {{"length", 1, 0.1, 10, "m"},
+                      {"mass", 1, 0.01, 100, "kg"},
+                      {"cone", 40, 5, 80, "°"},
+                      {"spin", 5, 0.5, 30, "rad/s"}},
        .sets = {{"60°", {{"cone", 60}, {"spin", 3}}}},
        .run = bar_joint,
        .without = "impulses"},

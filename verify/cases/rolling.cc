@@ -25,7 +25,8 @@ BodyDef rolling_body(double radius, double k, const Material& m) {
   return def;
 }
 
-const std::vector<ParameterSet> round_bodies = {{"cylinder", {{"k", 0.5}}}, {"shell", {{"k", 2.0 / 3}}}, {"hoop", {{"k", 1}}}};
+const std::vector<ParameterSet> round_bodies = {
+    {"cylinder", {{"k", 0.5}}}, {"shell", {{"k", 2.0 / 3}}}, {"hoop", {{"k", 1}}}};
 
 // V17. From sliding to rolling: after t = v₀ k/(μ g (1+k)) it rolls with v₀/(1+k), and goes on so.
 void slide_to_roll(Run& run) {
@@ -91,7 +92,12 @@ void resistance(Run& run) {
   Material m = material(0.6);
   m.rolling = Real(run.with("resistance", rho));
   add_ground(w, m);
-  const Body ball = w.add({.shape = sphere(Real(r)), .at = {0, r, 0}, .velocity = {Real(v), 0, 0}, .spin = {0, 0, Real(-v / r)}, .mass = 1, .material = m});
+  const Body ball = w.add({.shape = sphere(Real(r)),
+                           .at = {0, r, 0},
+                           .velocity = {Real(v), 0, 0},
+                           .spin = {0, 0, Real(-v / r)},
+                           .mass = 1,
+                           .material = m});
   const double a = 5 * rho * g / (7 * r);
   double rest = std::nan("");
   run.until(w, 1.1 * v / a, [&] {
@@ -106,7 +112,8 @@ void resistance(Run& run) {
   m = material(0.6);
   m.spinning = Real(run.with("resistance", twist));
   add_ground(s, m);
-  const Body top = s.add({.shape = sphere(Real(r)), .at = {0, r, 0}, .spin = {0, Real(omega), 0}, .mass = 1, .material = m});
+  const Body top =
+      s.add({.shape = sphere(Real(r)), .at = {0, r, 0}, .spin = {0, Real(omega), 0}, .mass = 1, .material = m});
   const double exact = 0.4 * r * r * omega / (twist * g);
   rest = std::nan("");
   run.until(s, 1.1 * exact, [&] {
@@ -118,7 +125,11 @@ void resistance(Run& run) {
   World c(run.fine_config());
   add_gravity(c, g);
   add_ground(c, material(mu));
-  const Body cube = c.add({.shape = box({Real(edge), Real(edge), Real(edge)}), .at = {0, edge / 2, 0}, .spin = {0, Real(turns), 0}, .mass = 1, .material = material(mu)});
+  const Body cube = c.add({.shape = box({Real(edge), Real(edge), Real(edge)}),
+                           .at = {0, edge / 2, 0},
+                           .spin = {0, Real(turns), 0},
+                           .mass = 1,
+                           .material = material(mu)});
   const double alpha = mu * g * (edge / std::sqrt(2)) / (edge * edge / 6);
   double angle = 0;
   rest = std::nan("");
@@ -136,13 +147,21 @@ void turntable(Run& run) {
   World w(run.config());
   add_gravity(w, g);
   const Material m = material(run.with("friction", 1));
-  w.add({.shape = cylinder(2, 1), .at = {0, -0.5, 0}, .spin = {0, Real(omega), 0}, .material = m, .motion = Motion::kinematic});
+  w.add({.shape = cylinder(2, 1),
+         .at = {0, -0.5, 0},
+         .spin = {0, Real(omega), 0},
+         .material = m,
+         .motion = Motion::kinematic});
   // Seen from above with the second axis along −z; the lowest point moves with the table: v + ω × (−r ŷ) = Ω × x.
-  const Vec3 at{Real(x0), 0, 0}, velocity{0, 0, Real(-v0)}, table = cross(Vec3{0, Real(omega), 0}, at), slip = table - velocity;
+  const Vec3 at{Real(x0), 0, 0}, velocity{0, 0, Real(-v0)}, table = cross(Vec3{0, Real(omega), 0}, at),
+                                                            slip = table - velocity;
   const Vec3 spin = cross(slip, Vec3{0, 1, 0}) * Real(1 / r);
-  const Body ball = w.add({.shape = sphere(Real(r)), .at = {x0, r, 0}, .velocity = velocity, .spin = spin, .mass = 1, .material = m});
+  const Body ball =
+      w.add({.shape = sphere(Real(r)), .at = {x0, r, 0}, .velocity = velocity, .spin = spin, .mass = 1, .material = m});
   const double rate = 2 * omega / 7, radius = v0 / rate, center = x0 - radius;
-  const auto exact = [&](double t) { return std::pair{center + radius * std::cos(rate * t), radius * std::sin(rate * t)}; };
+  const auto exact = [&](double t) {
+    return std::pair{center + radius * std::cos(rate * t), radius * std::sin(rate * t)};
+  };
   Plot& plot = run.plot("Path from above", "x [m]", "−z [m]");
   double at_two = std::nan(""), radius_seen = 0;
   run.until(w, 16.7, [&] {
@@ -159,14 +178,16 @@ void turntable(Run& run) {
 
 // V56. A ball leaves the ball that it runs down at cos θ = 2 cos θ₀/(3 + k); k = 0 where it slides without friction.
 void leaves_ball(Run& run) {
-  const double g = standard_gravity, big = run["big"], r = run["small"], start = run["from"], k = run["k"], gap = run["gap"];
+  const double g = standard_gravity, big = run["big"], r = run["small"], start = run["from"], k = run["k"],
+               gap = run["gap"];
   const double distance = big + r, leaves = 2 * std::cos(start) / (3 + k);
   // Then it flies: the cosine when the gap is so wide.
   const double sine = std::sqrt(1 - leaves * leaves), v = std::sqrt(distance * g * leaves);
   const auto flown = [&](double t) {
     return std::pair{distance * sine + v * leaves * t, distance * leaves - v * sine * t - g * t * t / 2};
   };
-  const double t = root([&](double s) { return std::hypot(flown(s).first, flown(s).second) - distance - gap; }, 1e-3, 1);
+  const double t =
+      root([&](double s) { return std::hypot(flown(s).first, flown(s).second) - distance - gap; }, 1e-3, 1);
   const double exact = flown(t).second / (distance + gap);
   World w(run.fine_config());
   add_gravity(w, run.with("gravity", g));
@@ -220,8 +241,13 @@ std::vector<Case> rolling() {
        .group = "Rolling",
        .formula = "a = 5 ρ g/7R; t = I ω/(ρ_s N); α = μ g ρ_c/(I/m) with ρ_c = a/√2 on four corners",
        .source = "torque = length × normal force",
-       .parameters = {{"rolling", 0.002, 1e-4, 0.02, "m"}, {"radius", 0.1, 0.01, 1, "m"}, {"speed", 2, 0.1, 10, "m/s"}, {"spinning", 0.002, 1e-4, 0.02, "m"},
-                      {"spin", 25, 1, 200, "rad/s"}, {"friction", 0.3, 0.05, 1, "1"}, {"cube spin", 10, 1, 30, "rad/s"}},
+       .parameters = {{"rolling", 0.002, 1e-4, 0.02, "m"},
+                      {"radius", 0.1, 0.01, 1, "m"},
+                      {"speed", 2, 0.1, 10, "m/s"},
+                      {"spinning", 0.002, 1e-4, 0.02, "m"},
+                      {"spin", 25, 1, 200, "rad/s"},
+                      {"friction", 0.3, 0.05, 1, "1"},
+                      {"cube spin", 10, 1, 30, "rad/s"}},
        .sets = {{"rougher", {{"rolling", 0.005}, {"spinning", 0.001}, {"friction", 0.6}}}},
        .run = resistance,
        .without = "resistance",
@@ -235,13 +261,18 @@ std::vector<Case> rolling() {
        .sets = {{"slow", {{"rate", 1.5}, {"speed", 0.1}}}},
        .run = turntable,
        .without = "friction",
-       .others = "error at 2 s: Havok 2.7 mm, Jolt, PhysX TGS 2.9, Box3D, Rapier 3.8; the radius of all grows by 9 … 11 %"},
+       .others =
+           "error at 2 s: Havok 2.7 mm, Jolt, PhysX TGS 2.9, Box3D, Rapier 3.8; the radius of all grows by 9 … 11 %"},
       {.id = "V56",
        .title = "Ball that leaves a ball",
        .group = "Rolling",
        .formula = "cos θ = 2 cos θ₀/(3 + k): smooth k = 0, solid ²⁄₅, hoop 1; then free flight",
        .source = "energy and the vanishing normal force",
-       .parameters = {{"big", 1, 0.1, 10, "m"}, {"small", 0.1, 0.01, 1, "m"}, {"from", 0.1, 0.02, 0.5, "rad"}, {"k", 0, 0, 1, "m R²"}, {"gap", 0.02, 0.001, 0.1, "m"}},
+       .parameters = {{"big", 1, 0.1, 10, "m"},
+                      {"small", 0.1, 0.01, 1, "m"},
+                      {"from", 0.1, 0.02, 0.5, "rad"},
+                      {"k", 0, 0, 1, "m R²"},
+                      {"gap", 0.02, 0.001, 0.1, "m"}},
        .sets = {{"solid", {{"k", 0.4}}}, {"hoop", {{"k", 1}}}},
        .run = leaves_ball,
        .without = "gravity",

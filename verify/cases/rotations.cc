@@ -10,8 +10,8 @@ namespace sudar::verify {
 
 namespace {
 
-// The motion of ω₂ by Jacobi's functions for I₁ < I₂ < I₃ and L² > 2 T I₂ (else 1 and 3 change places): Landau & Lifshitz,
-// Mechanics, §37.
+// The motion of ω₂ by Jacobi's functions for I₁ < I₂ < I₃ and L² > 2 T I₂ (else 1 and 3 change places): Landau &
+// Lifshitz, Mechanics, §37.
 struct FreeRotation {
   double amplitude, rate, m, phase;  // ω₂ = amplitude · sn(rate t + phase | m)
   double zero(int n) const { return (2 * elliptic_k(m) * n - phase) / rate; }
@@ -52,7 +52,8 @@ void dzhanibekov(Run& run) {
     zeros.sample(w.time(), spin);
     plot.theory.emplace_back(w.time(), exact.amplitude * jacobi(exact.rate * w.time() + exact.phase, exact.m).sn);
     plot.simulation.emplace_back(w.time(), spin);
-    worst_momentum = std::max(worst_momentum, std::fabs(length(convert<double>(w[b].angular_momentum())) / momentum - 1));
+    worst_momentum =
+        std::max(worst_momentum, std::fabs(length(convert<double>(w[b].angular_momentum())) / momentum - 1));
     worst_energy = std::max(worst_energy, std::fabs(w[b].kinetic_energy() / energy - 1));
   });
   const auto seen = [&](std::size_t n) { return zeros.moments().size() > n ? zeros.moments()[n] : std::nan(""); };
@@ -198,9 +199,11 @@ std::vector<Case> rotations() {
        .sets = {{"fast", {{"I3", 2.5}, {"w1", 0.3}, {"w2", 4}, {"w3", 0.1}, {"time", 20}}}},
        .run = dzhanibekov,
        .without = "asymmetry",
-       .others = "60 s, turns (exact 8.813, 25.411, 42.008 s): MuJoCo 8.844/25.447/42.050, Rapier 8.822/25.366/41.862, Box3D "
-                 "8.805/25.539/42.305, Jolt 8.850/25.596/42.484; drift of |L|: PhysX 1.2e-5, Jolt 1.5e-4, Rapier 1.4e-3, Box3D "
-                 "5.6e-3, MuJoCo 3.8e-2; Havok has no gyroscopic term"},
+       .others =
+           "60 s, turns (exact 8.813, 25.411, 42.008 s): MuJoCo 8.844/25.447/42.050, Rapier 8.822/25.366/41.862, Box3D "
+           "8.805/25.539/42.305, Jolt 8.850/25.596/42.484; drift of |L|: PhysX 1.2e-5, Jolt 1.5e-4, Rapier 1.4e-3, "
+           "Box3D "
+           "5.6e-3, MuJoCo 3.8e-2; Havok has no gyroscopic term"},
       {.id = "V05",
        .title = "Symmetric free top",
        .group = "Free bodies",
@@ -242,8 +245,9 @@ std::vector<Case> rotations() {
        .sets = {{"slow", {{"spin", 40}}}},
        .run = gyroscope,
        .without = "gravity",
-       .others = "10 s: Box3D precession +0.5 %, drop 0.147 m, spin 49.4; MuJoCo −2.7 %, 0.206 m, 34.8; PhysX −12 %, Jolt "
-                 "−14 %, Rapier +26 %, PhysX TGS −45 %, Havok +73 %, Bullet +100 %"},
+       .others =
+           "10 s: Box3D precession +0.5 %, drop 0.147 m, spin 49.4; MuJoCo −2.7 %, 0.206 m, 34.8; PhysX −12 %, Jolt "
+           "−14 %, Rapier +26 %, PhysX TGS −45 %, Havok +73 %, Bullet +100 %"},
   };
 }
 

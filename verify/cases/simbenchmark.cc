@@ -28,10 +28,14 @@ void rolling_slab(Run& run) {
   World w(single_steps(run));
   add_gravity(w, g);
   add_ground(w, material(square(run.with("friction", 0.4))));  // mixed geometrically with the slab's 1
-  const Body slab = w.add({.shape = box({20, 1, 20}), .at = {0, 0.5, 0}, .mass = Real(m_slab), .material = material(1)});
+  const Body slab =
+      w.add({.shape = box({20, 1, 20}), .at = {0, 0.5, 0}, .mass = Real(m_slab), .material = material(1)});
   std::vector<Body> balls;
   for (int i = 0; i < 25; ++i) {
-    balls.push_back(w.add({.shape = sphere(Real(r)), .at = {2.0 * (i % 5 - 2), 1 + r, 2.0 * (i / 5 - 2)}, .mass = Real(m_ball), .material = material(0.64)}));
+    balls.push_back(w.add({.shape = sphere(Real(r)),
+                           .at = {2.0 * (i % 5 - 2), 1 + r, 2.0 * (i / 5 - 2)},
+                           .mass = Real(m_ball),
+                           .material = material(0.64)}));
   }
   const Vec3d along{std::cos(angle), 0, std::sin(angle)};
   double sum = 0, steps = 0;
@@ -56,7 +60,8 @@ std::vector<Body> add_666(World& w, double bottom, const Material& m) {
   Random random{1};
   std::vector<Body> balls;
   for (int i = 0; i < 216; ++i) {
-    const Pos at{0.21 * (i % 6) + random.between(0, 0.001), bottom + 0.21 * (i / 36) + random.between(0, 0.001), 0.21 * (i / 6 % 6) + random.between(0, 0.001)};
+    const Pos at{0.21 * (i % 6) + random.between(0, 0.001), bottom + 0.21 * (i / 36) + random.between(0, 0.001),
+                 0.21 * (i / 6 % 6) + random.between(0, 0.001)};
     balls.push_back(w.add({.shape = sphere(Real(0.1)), .at = at, .mass = 10, .material = m}));
   }
   return balls;
@@ -104,8 +109,8 @@ void elastic_666(Run& run) {
   run.below("mean squared error of the energy", "J²", sum / steps, 112 * square(run["step"] / 1e-3));
 }
 
-// B4. A round tower of 102 small blocks: six floors of eight uprights and the eight planks that join them, and six planks
-// on the roof. How many steps of 10 ms it stands.
+// B4. A round tower of 102 small blocks: six floors of eight uprights and the eight planks that join them, and six
+// planks on the roof. How many steps of 10 ms it stands.
 void kapla(Run& run) {
   Config c = single_steps(run);  // of collisions the default passes, if they are fewer
   c.impulse_2007.contact_passes = std::min(c.impulse_2007.contact_passes, int(run["passes"]));
@@ -119,12 +124,16 @@ void kapla(Run& run) {
   // A block with its edges radial, upright and tangential, at an eighth of the circle.
   const auto add_block = [&](double eighth, double radius, double height, const Vec3& edges) {
     const double angle = eighth * pi / 4;
-    return w.add({.shape = box(edges), .at = {radius * std::cos(angle), height, -radius * std::sin(angle)}, .turn = axis_angle(Vec3{0, 1, 0}, Real(angle)), .material = m});
+    return w.add({.shape = box(edges),
+                  .at = {radius * std::cos(angle), height, -radius * std::sin(angle)},
+                  .turn = axis_angle(Vec3{0, 1, 0}, Real(angle)),
+                  .material = m});
   };
   const double ring = 0.125 / std::sin(pi / 8);  // 25 cm from upright to upright
   const Vec3 upright{Real(0.05), Real(0.2), Real(0.1)}, plank{Real(0.1), Real(0.05), Real(0.2)};
   for (int floor = 0; floor < 6; ++floor, y += 0.25) {
-    for (int i = 0; i < 8; ++i) add_block(i, ring, y + 0.1, upright), add_block(i + 0.5, ring * std::cos(pi / 8), y + 0.225, plank);
+    for (int i = 0; i < 8; ++i)
+      add_block(i, ring, y + 0.1, upright), add_block(i + 0.5, ring * std::cos(pi / 8), y + 0.225, plank);
   }
   for (int i = 0; i < 6; ++i) top = add_block(i + 0.5, ring * std::cos(pi / 8), y + 0.025, plank);
   const double start = w[top].center().y;
@@ -152,7 +161,8 @@ std::vector<Case> simbenchmark() {
        .sets = {{"along an edge", {{"direction", 90}}}},
        .run = rolling_slab,
        .without = "friction",
-       .others = "published, 1 ms: Bullet 3.9e-27, RaiSim 4.1e-7, MuJoCo Newton 6.9e-3, ODE and DART 3.14 (a pyramid for the cone); measured: Box3D "
+       .others = "published, 1 ms: Bullet 3.9e-27, RaiSim 4.1e-7, MuJoCo Newton 6.9e-3, ODE and DART 3.14 (a pyramid "
+                 "for the cone); measured: Box3D "
                  "1.2e-6, Rapier 2.9e-6, Jolt 1.7e-4, PhysX 7e-4, Havok 0.29"},
       {.id = "B2",
        .title = "SimBenchmark: 666",
@@ -164,8 +174,10 @@ std::vector<Case> simbenchmark() {
        .run = balls_666,
        .without = "impulses",
        .effort = Effort::normal,
-       .others = "10 ms, with stabilisation: PhysX TGS 2.2e-6, Havok 4.3e-6, Jolt 6.9e-6, PhysX PGS 1.6e-5, Rapier 1.7e-5, Bullet 1.5e-4, MuJoCo "
-                 "2.2e-4, Box3D 3.5e-3; published, without: RaiSim 0.0153, ODE 0.0161, MuJoCo 0.934, Bullet 37.4, DART 215"},
+       .others =
+           "10 ms, with stabilisation: PhysX TGS 2.2e-6, Havok 4.3e-6, Jolt 6.9e-6, PhysX PGS 1.6e-5, Rapier 1.7e-5, "
+           "Bullet 1.5e-4, MuJoCo "
+           "2.2e-4, Box3D 3.5e-3; published, without: RaiSim 0.0153, ODE 0.0161, MuJoCo 0.934, Bullet 37.4, DART 215"},
       {.id = "B3",
        .title = "SimBenchmark: elastic 666",
        .group = "SimBenchmark",
@@ -176,7 +188,8 @@ std::vector<Case> simbenchmark() {
        .run = elastic_666,
        .without = "restitution",
        .effort = Effort::normal,
-       .others = "1 ms: published RaiSim 8.37, ODE 112, Bullet 4.1e4, DART 3.5e5; measured PhysX PGS 2.9e5, Jolt 5.4e5, Rapier 1.6e6, Box3D 3.7e7"},
+       .others = "1 ms: published RaiSim 8.37, ODE 112, Bullet 4.1e4, DART 3.5e5; measured PhysX PGS 2.9e5, Jolt "
+                 "5.4e5, Rapier 1.6e6, Box3D 3.7e7"},
       {.id = "B4",
        .title = "SimBenchmark: Kapla",
        .group = "SimBenchmark",
@@ -187,7 +200,8 @@ std::vector<Case> simbenchmark() {
        .run = kapla,
        .without = "impulses",
        .effort = Effort::full,
-       .others = "steps survived with 10/40/100 iterations: RaiSim 25/89/263, Bullet with ERP 52/334/846, ODE with ERP 1104/5234/5990; MuJoCo at most 3297, DART 19"},
+       .others = "steps survived with 10/40/100 iterations: RaiSim 25/89/263, Bullet with ERP 52/334/846, ODE with ERP "
+                 "1104/5234/5990; MuJoCo at most 3297, DART 19"},
   };
 }
 

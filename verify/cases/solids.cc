@@ -18,7 +18,9 @@ struct Whole {  // a vector of integers
   Whole operator-(const Whole& o) const { return {x - o.x, y - o.y, z - o.z}; }
   bool operator==(const Whole&) const = default;
 };
-Whole cross(const Whole& a, const Whole& b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
+Whole cross(const Whole& a, const Whole& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 std::int64_t dot(const Whole& a, const Whole& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Vec3d real(const Whole& a) { return {double(a.x), double(a.y), double(a.z)}; }
 
@@ -66,7 +68,8 @@ class ExactHull {
           const std::int64_t side = dot(normal, cross(edge, to));
           return side > 0 || (side == 0 && dot(edge, to) >= 0 && dot(to, to) <= dot(edge, edge));
         };
-        if (points_[p] != points_[q] && std::all_of(on.begin(), on.end(), allows)) add_tetrahedron(points_[on[0]], points_[p], points_[q]);
+        if (points_[p] != points_[q] && std::all_of(on.begin(), on.end(), allows))
+          add_tetrahedron(points_[on[0]], points_[p], points_[q]);
       }
     }
   }
@@ -75,7 +78,8 @@ class ExactHull {
     const double six = double(dot(wa, cross(wb, wc)));
     volume_ += six / 6;
     first_ += sum * (six / 24);
-    second_ = second_ + (Mat3d::outer(a, a) + Mat3d::outer(b, b) + Mat3d::outer(c, c) + Mat3d::outer(sum, sum)) * (six / 120);
+    second_ =
+        second_ + (Mat3d::outer(a, a) + Mat3d::outer(b, b) + Mat3d::outer(c, c) + Mat3d::outer(sum, sum)) * (six / 120);
   }
   const std::vector<Whole>& points_;
   std::set<std::vector<std::size_t>> faces_;
@@ -105,34 +109,41 @@ void random_hull(Run& run) {
   const double share = by_precision(1e-6, 1e-13);
   run.relative("volume", "m³", exact.volume(), got.volume, share);
   run.below("centre of mass, distance", "m", length(got.center - exact.center()), share * 50);
-  run.below("inertia tensor, largest relative error", "1", largest(got.inertia - exact.inertia()) / largest(exact.inertia()), share);
+  run.below("inertia tensor, largest relative error", "1",
+            largest(got.inertia - exact.inertia()) / largest(exact.inertia()), share);
 }
 
-// V38. What a solid's mass properties must be: volume, height of the centre, and moments about the axis y and across it.
+// V38. What a solid's mass properties must be: volume, height of the centre, and moments about the axis y and across
+// it.
 struct Moments {
   double volume, center, axis, across;
 };
 
 // A solid of revolution about y with the radii outer(y) and inner(y), which may begin and end like a circle.
 using Radius = std::function<double(double)>;
-Moments revolve(double from, double to, const Radius& outer, const Radius& inner = [](double) { return 0; }) {
+Moments revolve(
+    double from, double to, const Radius& outer, const Radius& inner = [](double) { return 0; }) {
   // y = middle + half sin s: smooth where the profile is a circle's end.
   const double middle = (from + to) / 2, half = (to - from) / 2;
   const auto sum = [&](const std::function<double(double y, double r2, double r4)>& f) {
-    return integral([&](double s) {
-      const double y = middle + half * std::sin(s), o = square(outer(y)), i = square(inner(y));
-      return half * std::cos(s) * f(y, o - i, o * o - i * i);
-    }, -pi / 2, pi / 2);
+    return integral(
+        [&](double s) {
+          const double y = middle + half * std::sin(s), o = square(outer(y)), i = square(inner(y));
+          return half * std::cos(s) * f(y, o - i, o * o - i * i);
+        },
+        -pi / 2, pi / 2);
   };
   const double volume = pi * sum([](double, double r2, double) { return r2; });
   const double center = pi * sum([](double y, double r2, double) { return y * r2; }) / volume;
   const double fourth = pi / 4 * sum([](double, double, double r4) { return r4; });
-  return {volume, center, 2 * fourth, fourth + pi * sum([&](double y, double r2, double) { return square(y - center) * r2; })};
+  return {volume, center, 2 * fourth,
+          fourth + pi * sum([&](double y, double r2, double) { return square(y - center) * r2; })};
 }
 
 // What is worst of the four numbers, relative to its own size (a centre at 0: to the solid's).
 double error(const Moments& exact, const MassProperties& got, double size) {
-  const double across = std::max(std::fabs(got.inertia.c0.x / exact.across - 1), std::fabs(got.inertia.c2.z / exact.across - 1));
+  const double across =
+      std::max(std::fabs(got.inertia.c0.x / exact.across - 1), std::fabs(got.inertia.c2.z / exact.across - 1));
   return std::max({std::fabs(got.volume / exact.volume - 1), std::fabs(got.center.y - exact.center) / size,
                    std::fabs(got.inertia.c1.y / exact.axis - 1), across});
 }
@@ -152,40 +163,58 @@ void solids_of_revolution(Run& run, double s, double cheat) {
   compare("cone", revolve(-h / 4, 3 * h / 4, line(3 * r / 4, -r / 4, h)), cone(Real(c * r), Real(h)).mass_properties());
   compare("frustum", revolve(0, h, line(r, 0.4 * r, h)), mass_of(solid::Frustum{c * r, 0.4 * r, h}));
   const double l = 1.2 * s;
-  compare("capsule", revolve(-l / 2 - r, l / 2 + r, [&](double y) { return ball(r)(std::max(0.0, std::fabs(y) - l / 2)); }), capsule(Real(c * r), Real(l)).mass_properties());
+  compare("capsule",
+          revolve(-l / 2 - r, l / 2 + r, [&](double y) { return ball(r)(std::max(0.0, std::fabs(y) - l / 2)); }),
+          capsule(Real(c * r), Real(l)).mass_properties());
   compare("hemisphere", revolve(0, r, ball(r)), mass_of(solid::Hemisphere{c * r}));
-  compare("spheroid", revolve(-0.8 * s, 0.8 * s, [&](double y) { return ball(1)(y / (0.8 * s)) * r; }), ellipsoid({Real(c * r), Real(0.8 * s), Real(c * r)}).mass_properties());
+  compare("spheroid", revolve(-0.8 * s, 0.8 * s, [&](double y) { return ball(1)(y / (0.8 * s)) * r; }),
+          ellipsoid({Real(c * r), Real(0.8 * s), Real(c * r)}).mass_properties());
   const double tube = s / 4;
-  compare("torus", revolve(-tube, tube, [&](double y) { return s + ball(tube)(y); }, [&](double y) { return s - ball(tube)(y); }), mass_of(solid::Torus{c * s, tube}));
-  compare("paraboloid", revolve(0, h, [&](double y) { return r * std::sqrt(y / h); }), mass_of(solid::Paraboloid{c * r, h}));
+  compare("torus",
+          revolve(
+              -tube, tube, [&](double y) { return s + ball(tube)(y); }, [&](double y) { return s - ball(tube)(y); }),
+          mass_of(solid::Torus{c * s, tube}));
+  compare("paraboloid", revolve(0, h, [&](double y) { return r * std::sqrt(y / h); }),
+          mass_of(solid::Paraboloid{c * r, h}));
   compare("cap", revolve(0.2 * r, r, ball(r)), mass_of(solid::Cap{c * r, c * 0.8 * r}));
   // Two spheres and the cone that touches both.
-  const double bottom = 0.778 * r, top = 0.5 * r, apart = 1.0996 * r, sine = (bottom - top) / apart, cosine = std::sqrt(1 - sine * sine);
-  compare("tapered capsule", revolve(-apart / 2 - bottom, apart / 2 + top, [&](double y) {
-            const double from = -apart / 2 + bottom * sine, to = apart / 2 + top * sine;
-            if (y < from) return ball(bottom)(y + apart / 2);
-            if (y > to) return ball(top)(y - apart / 2);
-            return (bottom + (top - bottom) * (y - from) / (to - from)) * cosine;
-          }), mass_of(solid::TaperedCapsule{c * bottom, top, apart}));
+  const double bottom = 0.778 * r, top = 0.5 * r, apart = 1.0996 * r, sine = (bottom - top) / apart,
+               cosine = std::sqrt(1 - sine * sine);
+  compare("tapered capsule",
+          revolve(-apart / 2 - bottom, apart / 2 + top,
+                  [&](double y) {
+                    const double from = -apart / 2 + bottom * sine, to = apart / 2 + top * sine;
+                    if (y < from) return ball(bottom)(y + apart / 2);
+                    if (y > to) return ball(top)(y - apart / 2);
+                    return (bottom + (top - bottom) * (y - from) / (to - from)) * cosine;
+                  }),
+          mass_of(solid::TaperedCapsule{c * bottom, top, apart}));
 }
 
 void polyhedra(Run& run, double s, double cheat) {
   const double golden = (1 + std::sqrt(5.0)) / 2;
   const auto compare = [&](const char* name, double volume, double axis, double across, const Shape& got) {
-    run.below(std::string(name) + ": largest relative error", "1", error({volume, 0, volume * axis, volume * across}, got.mass_properties(), s), 1e-6);
+    run.below(std::string(name) + ": largest relative error", "1",
+              error({volume, 0, volume * axis, volume * across}, got.mass_properties(), s), 1e-6);
   };
-  const auto even = [&](const char* name, double volume, double moment, const Shape& got) { compare(name, volume, moment, moment, got); };
+  const auto even = [&](const char* name, double volume, double moment, const Shape& got) {
+    compare(name, volume, moment, moment, got);
+  };
   const double a = s, c = cheat * s;
   even("cube", a * a * a, a * a / 6, box({Real(c), Real(c), Real(c)}));
   even("tetrahedron", a * a * a / (6 * std::sqrt(2.0)), a * a / 20, tetrahedron(Real(c)));
   even("octahedron", a * a * a * std::sqrt(2.0) / 3, a * a / 10, octahedron(Real(c)));
   even("icosahedron", 5 * (3 + std::sqrt(5.0)) / 12 * a * a * a, square(golden * a) / 10, icosahedron(Real(c)));
-  even("dodecahedron", (15 + 7 * std::sqrt(5.0)) / 4 * a * a * a, (95 + 39 * std::sqrt(5.0)) / 300 * a * a, dodecahedron(Real(c)));
+  even("dodecahedron", (15 + 7 * std::sqrt(5.0)) / 4 * a * a * a, (95 + 39 * std::sqrt(5.0)) / 300 * a * a,
+       dodecahedron(Real(c)));
   for (const int n : {3, 6}) {  // in a circle of radius a, 2 a high
-    const double angle = 2 * pi / n, volume = n * std::sin(angle) * a * a * a, polar = a * a * (2 + std::cos(angle)) / 6;
-    compare(n == 3 ? "triangular prism" : "hexagonal prism", volume, polar, polar / 2 + a * a / 3, prism(n, Real(c), Real(2 * a)));
+    const double angle = 2 * pi / n, volume = n * std::sin(angle) * a * a * a,
+                 polar = a * a * (2 + std::cos(angle)) / 6;
+    compare(n == 3 ? "triangular prism" : "hexagonal prism", volume, polar, polar / 2 + a * a / 3,
+            prism(n, Real(c), Real(2 * a)));
   }
-  compare("square pyramid", 8 * a * a * a / 3, square(2 * a) / 10, square(2 * a) * (1.0 / 20 + 3.0 / 80), pyramid(4, Real(c * std::sqrt(2.0)), Real(2 * a)));
+  compare("square pyramid", 8 * a * a * a / 3, square(2 * a) / 10, square(2 * a) * (1.0 / 20 + 3.0 / 80),
+          pyramid(4, Real(c * std::sqrt(2.0)), Real(2 * a)));
   const MassProperties bar = box({Real(c), Real(2 * a), Real(3 * a)}).mass_properties();
   const double mass = 6 * a * a * a;
   run.relative("box: moment about x", "m⁵", mass * 13 * a * a / 12, bar.inertia.c0.x, 1e-6);

@@ -44,7 +44,9 @@ void tower_forces(Run& run) {
   World w(run.config());
   add_gravity(w, run.with("gravity", g));
   std::vector<Body> cubes{add_ground(w, material(0.6))};
-  for (int i = 0; i < n; ++i) cubes.push_back(w.add({.shape = box({1, 1, 1}), .at = {0, i + 0.5, 0}, .mass = Real(m), .material = material(0.6)}));
+  for (int i = 0; i < n; ++i)
+    cubes.push_back(
+        w.add({.shape = box({1, 1, 1}), .at = {0, i + 0.5, 0}, .mass = Real(m), .material = material(0.6)}));
   run.until(w, 2);
   MeanForce mean;
   run.until(w, 3, [&] { mean.sample(w, run.h()); });
@@ -63,7 +65,11 @@ void tower_forces(Run& run) {
   World o(run.config());
   add_gravity(o, run.with("gravity", g));
   const Body ground = add_ground(o, material(0.6));
-  const Body cube = o.add({.shape = box({1, 1, 1}), .at = {0, 0.5, 0}, .mass = Real(m), .center = Vec3{Real(off), 0, 0}, .material = material(0.6)});
+  const Body cube = o.add({.shape = box({1, 1, 1}),
+                           .at = {0, 0.5, 0},
+                           .mass = Real(m),
+                           .center = Vec3{Real(off), 0, 0},
+                           .material = material(0.6)});
   run.until(o, 2);
   MeanForce edges;
   run.until(o, 3, [&] { edges.sample(o, run.h()); });
@@ -82,7 +88,8 @@ bool overhang_stands(Run& run, int n, double share) {
   std::vector<Body> blocks;
   for (int i = 0; i < n; ++i) {  // from below: each sticks out by length/2k over the one below, k counted from above
     x += share * length / (2 * (n - i));
-    blocks.push_back(w.add({.shape = box({Real(length), Real(height), 1}), .at = {x, (i + 0.5) * height, 0}, .mass = 1, .material = m}));
+    blocks.push_back(w.add(
+        {.shape = box({Real(length), Real(height), 1}), .at = {x, (i + 0.5) * height, 0}, .mass = 1, .material = m}));
   }
   run.until(w, 10);
   return w[blocks.back()].center().y > (n - 0.5) * height - 0.05;
@@ -90,7 +97,8 @@ bool overhang_stands(Run& run, int n, double share) {
 
 void overhang(Run& run) {
   const int n = int(run["blocks"]);
-  run.holds("stands with 98 % of the overhang", overhang_stands(run, n, run.without("the right overhang") ? 1.05 : 0.98));
+  run.holds("stands with 98 % of the overhang",
+            overhang_stands(run, n, run.without("the right overhang") ? 1.05 : 0.98));
   run.holds("falls with 102 %", !overhang_stands(run, n, 1.02));
 }
 
@@ -157,10 +165,14 @@ std::vector<Case> stacks() {
        .formula = "heights ½ and ³⁄₂",
        .source = "statics",
        .parameters = {{"ratio", 10, 1, 1e7, "1"}},
-       .sets = {{"100", {{"ratio", 100}}}, {"1000", {{"ratio", 1e3}}}, {"10⁴", {{"ratio", 1e4}}}, {"10⁶", {{"ratio", 1e6}}}},
+       .sets = {{"100", {{"ratio", 100}}},
+                {"1000", {{"ratio", 1e3}}},
+                {"10⁴", {{"ratio", 1e4}}},
+                {"10⁶", {{"ratio", 1e6}}}},
        .run = heavy_on_light,
        .without = "impulses",
-       .others = "10: all; 100: Box3D, Rapier 1.465, PhysX TGS 1.475, Havok 1.468; 1000: Box3D 1.16, MuJoCo 0.95; 10⁴: none"},
+       .others =
+           "10: all; 100: Box3D, Rapier 1.465, PhysX TGS 1.475, Havok 1.468; 1000: Box3D 1.16, MuJoCo 0.95; 10⁴: none"},
       {.id = "V45",
        .title = "Towers of cubes",
        .group = "Structures",

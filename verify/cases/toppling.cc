@@ -24,7 +24,11 @@ void rocking(Run& run) {
   add_ground(w, m_);
   // Tilted about its edge at the origin: the centre is at (−b/2, h/2) turned by −θ.
   const Quat turn = axis_angle(Vec3{0, 0, 1}, Real(start));
-  const Body block = w.add({.shape = box({Real(b), Real(h), Real(b)}), .at = Pos{} + rotate(convert<double>(turn), Vec3d{b / 2, h / 2, 0}), .turn = turn, .mass = Real(m), .material = m_});
+  const Body block = w.add({.shape = box({Real(b), Real(h), Real(b)}),
+                            .at = Pos{} + rotate(convert<double>(turn), Vec3d{b / 2, h / 2, 0}),
+                            .turn = turn,
+                            .mass = Real(m),
+                            .material = m_});
   const auto angle = [&] {
     const Vec3 up = rotate(w[block].pose().q, Vec3{0, 1, 0});
     return std::atan2(-double(up.x), double(up.y));
@@ -43,13 +47,15 @@ void rocking(Run& run) {
     if (since < 0 && theta <= 0) t = w.time() - w.config().dt * theta / (theta - last), since = 0;
     if (since >= 0 && ++since == 5) after = at_zero(theta, rate);
   });
-  for (int k = 0; k <= 40; ++k) plot.theory.emplace_back(down.t * k / 40, solve_ode(law, 0, {start, 0}, down.t * k / 40)[0]);
+  for (int k = 0; k <= 40; ++k)
+    plot.theory.emplace_back(down.t * k / 40, solve_ode(law, 0, {start, 0}, down.t * k / 40)[0]);
   run.relative("time of the impact", "s", down.t, t, 0.03);
   run.relative("rate before it", "rad/s", -down.y[1], before, 0.03);
   run.relative("rate after / before", "1", ratio, after / before, 0.03);
 }
 
-// A thin rod with round ends that leans with its foot at x = 0 against a wall on the right of it, at an angle from level.
+// A thin rod with round ends that leans with its foot at x = 0 against a wall on the right of it, at an angle from
+// level.
 constexpr double rod_radius = 1e-3;
 BodyDef leaning_rod(double length, double angle, const Material& m) {
   const Real across = Real(length * length / 12);
@@ -72,7 +78,11 @@ World ladder(Run& run, double length, double angle, double floor, double wall) {
   add_gravity(w, standard_gravity);
   add_ground(w, material(floor));
   const double x = length * std::cos(angle) + rod_radius;
-  const Body side = w.add({.shape = half_space(), .at = {x, 0, 0}, .turn = axis_angle(Vec3{0, 0, 1}, Real(pi / 2)), .material = material(wall), .motion = Motion::fixed});
+  const Body side = w.add({.shape = half_space(),
+                           .at = {x, 0, 0},
+                           .turn = axis_angle(Vec3{0, 0, 1}, Real(pi / 2)),
+                           .material = material(wall),
+                           .motion = Motion::fixed});
   static_cast<void>(side);
   BodyDef rod = leaning_rod(length, angle, material(1));
   rod.name = "ladder";
@@ -121,15 +131,17 @@ void lean(Run& run) {
   run.relative("no friction: leaves it after", "s", time, t, 0.02);
 }
 
-// V57. Rods that fall from the upright: pinned, and on a smooth floor; both arrive with ω = √(3 g cos θ₀/L). Let go level, a
-// pinned rod's tip falls with 1.5 g and its pin bears m g/4.
+// V57. Rods that fall from the upright: pinned, and on a smooth floor; both arrive with ω = √(3 g cos θ₀/L). Let go
+// level, a pinned rod's tip falls with 1.5 g and its pin bears m g/4.
 void falling_rods(Run& run) {
   const double l = run["length"], start = run["from"], g = standard_gravity;
   const double end = run["to"];  // where the rod is timed, from upright
   // After it has turned by d: cos θ₀ − cos(θ₀ + d) without cancellation.
   const auto energy = [&](double d) { return 2 * std::sin(start + d / 2) * std::sin(d / 2); };
   const auto pinned = [&](double d) { return std::sqrt(3 * g / l * energy(d)); };
-  const auto smooth = [&](double d) { return std::sqrt(12 * g / l * energy(d) / (1 + 3 * square(std::sin(start + d)))); };
+  const auto smooth = [&](double d) {
+    return std::sqrt(12 * g / l * energy(d) / (1 + 3 * square(std::sin(start + d))));
+  };
   for (const bool pin : {true, false}) {
     const auto exact = [&](double d) { return pin ? pinned(d) : smooth(d); };
     World w(run.fine_config());
@@ -141,7 +153,8 @@ void falling_rods(Run& run) {
     Plot& plot = run.plot(pin ? "Rate, pinned" : "Rate on a smooth floor", "angle from upright [rad]", "ω [rad/s]");
     run.until(w, 2, [&] {
       const double a = pi / 2 - elevation(w[rod]), omega = -double(w[rod].spin().z);
-      if (a <= end) plot.simulation.emplace_back(a, omega), plot.theory.emplace_back(a, a > start ? exact(a - start) : 0);
+      if (a <= end)
+        plot.simulation.emplace_back(a, omega), plot.theory.emplace_back(a, a > start ? exact(a - start) : 0);
       if (std::isnan(t) && a >= end) {
         const double share = (end - before) / (a - before);
         t = w.time() - w.config().dt * (1 - share);
@@ -159,12 +172,13 @@ void falling_rods(Run& run) {
   const Body rod = w.add(leaning_rod(l, 0, material(0)));
   const Joint pin = w.join(Hinge{.b = rod, .at = {0, rod_radius, 0}});
   w.step();
-  run.relative("let go level: acceleration of the tip", "m/s²", 1.5 * g, -double(w[rod].spin().z) * l / w.config().dt, 0.005);
+  run.relative("let go level: acceleration of the tip", "m/s²", 1.5 * g, -double(w[rod].spin().z) * l / w.config().dt,
+               0.005);
   run.relative("let go level: force of the pin", "N", g / 4, double(w[pin].load().force.y), 0.005);
 }
 
-// V34. Painlevé: a rod slides foot first with more friction than rigid bodies allow (μ > ⁴⁄₃ at tan θ = 2): no force solves
-// it, but an impulse does. The engine has to give a finite one, and no energy.
+// V34. Painlevé: a rod slides foot first with more friction than rigid bodies allow (μ > ⁴⁄₃ at tan θ = 2): no force
+// solves it, but an impulse does. The engine has to give a finite one, and no energy.
 void painleve(Run& run) {
   const double mu = run["friction"], angle = run["elevation"] * pi / 180, v = run["speed"], l = 1, g = standard_gravity;
   World w(run.fine_config());
@@ -190,7 +204,8 @@ void painleve(Run& run) {
   plot.theory = {{0, 0}, {1, 0}};
   const double limit = (1 + 3 * square(std::cos(angle))) / (3 * std::sin(angle) * std::cos(angle));  // of μ
   run.holds("is a paradox: μ above its limit", mu > limit);
-  run.holds("state stays finite", is_finite(w[rod].velocity()) && is_finite(w[rod].spin()) && w.events().quarantined.empty());
+  run.holds("state stays finite",
+            is_finite(w[rod].velocity()) && is_finite(w[rod].spin()) && w.events().quarantined.empty());
   run.below("energy gained / at the start", "1", gained / start, 1e-3);
   run.below("largest impulse of the floor", "N s", hardest, 10 * v);
   run.below("deepest penetration", "m", deepest, 0.01);
@@ -224,7 +239,9 @@ std::vector<Case> toppling() {
        .group = "Toppling",
        .formula = "no force solves it when μ > (1 + 3 cos² θ)/(3 sin θ cos θ): an impulse must, without making energy",
        .source = "Painlevé 1895; Champneys & Várkonyi 2016",
-       .parameters = {{"friction", 1.6, 0.5, 5, "1"}, {"elevation", 63.434948822922, 20, 85, "°"}, {"speed", 3, 0.1, 20, "m/s"}},
+       .parameters = {{"friction", 1.6, 0.5, 5, "1"},
+                      {"elevation", 63.434948822922, 20, 85, "°"},
+                      {"speed", 3, 0.1, 20, "m/s"}},
        .sets = {{"rougher", {{"friction", 2}, {"elevation", 55}}}},
        .run = painleve,
        .without = "impulses"},

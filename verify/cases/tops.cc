@@ -33,9 +33,11 @@ void euler_disc(Run& run) {
   Plot& plot = run.plot("Inclination", "t [s]", "α [°]");
   run.until(w, 1, [&] {
     const Vec3 axis = rotate(w[disc].pose().q, Vec3{0, 1, 0});
-    const double tilt = std::acos(std::clamp(double(axis.y), -1.0, 1.0)) * 180 / pi, azimuth = std::atan2(double(axis.z), double(axis.x));
+    const double tilt = std::acos(std::clamp(double(axis.y), -1.0, 1.0)) * 180 / pi,
+                 azimuth = std::atan2(double(axis.z), double(axis.x));
     worst = std::max(worst, std::fabs(tilt - run["tilt"]));
-    turned += std::remainder(before - azimuth + (w.steps() == 1 ? pi : 0), 2 * pi);  // the axis leans towards −x at first
+    turned +=
+        std::remainder(before - azimuth + (w.steps() == 1 ? pi : 0), 2 * pi);  // the axis leans towards −x at first
     before = azimuth;
     plot.theory.emplace_back(w.time(), run["tilt"]);
     plot.simulation.emplace_back(w.time(), tilt);
@@ -45,8 +47,8 @@ void euler_disc(Run& run) {
   run.relative("rate of going round, mean", "rad/s", round, turned, 0.01);
 }
 
-// V32. A rattleback: an ellipsoid on whose axes its inertia is not aligned. Rolling without slip, in body axes: u points
-// down, r from the centre of mass to the contact; the contact stays where it is, so v = r × ω.
+// V32. A rattleback: an ellipsoid on whose axes its inertia is not aligned. Rolling without slip, in body axes: u
+// points down, r from the centre of mass to the contact; the contact stays where it is, so v = r × ω.
 struct Rattleback {
   Vec3d radii;
   double below;  // the centre of mass lies so far below the middle
@@ -58,7 +60,8 @@ struct Rattleback {
     const Vec3d omega{y[0], y[1], y[2]}, u{y[3], y[4], y[5]}, du = cross(u, omega);
     const double s = std::sqrt(dot(u, squared(u)));
     const Vec3d r = arm(u), dr = squared(du) * (1 / s) - squared(u) * (dot(u, squared(du)) / (s * s * s));
-    const Vec3d v = cross(r, omega), known = cross(r, cross(dr, omega) + cross(omega, v) - u * g) - cross(omega, inertia * omega);
+    const Vec3d v = cross(r, omega),
+                known = cross(r, cross(dr, omega) + cross(omega, v) - u * g) - cross(omega, inertia * omega);
     const Mat3d about = inertia + Mat3d::diagonal({dot(r, r), dot(r, r), dot(r, r)}) - Mat3d::outer(r, r);
     const Vec3d faster = inverse(about) * known;
     return {faster.x, faster.y, faster.z, du.x, du.y, du.z};
@@ -66,7 +69,8 @@ struct Rattleback {
 };
 
 void rattleback(Run& run) {
-  const Rattleback law{{run["a"], run["c"], run["b"]}, run["below"], Mat3d{{2e-4, 0, 2e-5}, {0, 1.7e-3, 0}, {2e-5, 0, 1.6e-3}}};
+  const Rattleback law{
+      {run["a"], run["c"], run["b"]}, run["below"], Mat3d{{2e-4, 0, 2e-5}, {0, 1.7e-3, 0}, {2e-5, 0, 1.6e-3}}};
   const double tilt = run["tilt"] * pi / 180, end = run["time"];
   for (const double spin : {-run["spin"], run["spin"]}) {
     const Quat turn = axis_angle(Vec3{0, 0, 1}, Real(tilt));
@@ -79,18 +83,20 @@ void rattleback(Run& run) {
     const Vec3d u = rotate_back(convert<double>(turn), Vec3d{0, -1, 0}), omega = u * -spin;
     const Vec3d arm = rotate(convert<double>(turn), law.arm(u));
     const double height = -arm.y + law.below * std::cos(tilt);  // of the middle
-    const Body stone = w.add({.shape = ellipsoid(convert<Real>(law.radii)),
-                              .at = {0, height, 0},
-                              .turn = turn,
-                              .velocity = convert<Real>(cross(arm, Vec3d{0, spin, 0})),
-                              .spin = {0, Real(spin), 0},
-                              .mass = 1,
-                              .center = Vec3{0, Real(-law.below), 0},
-                              .inertia = Mat3{convert<Real>(law.inertia.c0), convert<Real>(law.inertia.c1), convert<Real>(law.inertia.c2)},
-                              .material = rough});
+    const Body stone = w.add(
+        {.shape = ellipsoid(convert<Real>(law.radii)),
+         .at = {0, height, 0},
+         .turn = turn,
+         .velocity = convert<Real>(cross(arm, Vec3d{0, spin, 0})),
+         .spin = {0, Real(spin), 0},
+         .mass = 1,
+         .center = Vec3{0, Real(-law.below), 0},
+         .inertia = Mat3{convert<Real>(law.inertia.c0), convert<Real>(law.inertia.c1), convert<Real>(law.inertia.c2)},
+         .material = rough});
     Vector y{omega.x, omega.y, omega.z, u.x, u.y, u.z};
     double reversed = 0, exact_reversed = 0, fastest = 0;
-    Plot& plot = run.plot(spin < 0 ? "Rate, turning the wrong way" : "Rate, turning the right way", "t [s]", "ω [rad/s]");
+    Plot& plot =
+        run.plot(spin < 0 ? "Rate, turning the wrong way" : "Rate, turning the right way", "t [s]", "ω [rad/s]");
     run.until(w, end, [&] {
       y = solve_ode([&](double, const Vector& x) { return law.rate(x); }, 0, y, w.config().dt);
       const double exact = -(y[0] * y[3] + y[1] * y[4] + y[2] * y[5]), got = double(w[stone].spin().y);
@@ -124,7 +130,8 @@ struct TippeTop {
     const double free_lift = -a * (cross(turn, e) + cross(omega, cross(omega, e))).y, lift = -a * cross(by_force, e).y;
     const double normal = (g + free_lift) / (1 / mass - lift);
     const Vec3d change = cross(omega, e), spin_up = turn + by_force * normal;
-    return {change.x, change.y, change.z, spin_up.x, spin_up.y, spin_up.z, normal * push.x / mass, normal * push.z / mass};
+    return {
+        change.x, change.y, change.z, spin_up.x, spin_up.y, spin_up.z, normal * push.x / mass, normal * push.z / mass};
   }
 };
 
@@ -140,8 +147,14 @@ void tippe_top(Run& run) {
   add_ground(w, rubber);
   const Quat turn = axis_angle(Vec3{0, 0, 1}, Real(tilt));
   const Vec3 axis = rotate(turn, Vec3{0, 1, 0});
-  const Body top = w.add({.shape = sphere(Real(r)), .at = {0, r, 0}, .turn = turn, .spin = {0, Real(spin), 0}, .mass = Real(m), .center = Vec3{0, Real(-law.a), 0},
-                          .inertia = Mat3::diagonal({Real(law.A), Real(law.C), Real(law.A)}), .material = rubber});
+  const Body top = w.add({.shape = sphere(Real(r)),
+                          .at = {0, r, 0},
+                          .turn = turn,
+                          .spin = {0, Real(spin), 0},
+                          .mass = Real(m),
+                          .center = Vec3{0, Real(-law.a), 0},
+                          .inertia = Mat3::diagonal({Real(law.A), Real(law.C), Real(law.A)}),
+                          .material = rubber});
   Vector y{double(axis.x), double(axis.y), 0, 0, spin, 0, 0, 0};
   const auto jellett = [&] {
     const Vec3d e = convert<double>(rotate(w[top].pose().q, Vec3{0, 1, 0}));
@@ -187,8 +200,13 @@ std::vector<Case> tops() {
        .group = "Rolling",
        .formula = "rolls without slip: turned one way it rattles and reverses, turned the other way it goes on",
        .source = "Kane & Levinson 1982; independent solution without slip, Dormand & Prince 5(4)",
-       .parameters = {{"a", 0.2, 0.05, 1, "m"}, {"b", 0.03, 0.01, 0.2, "m"}, {"c", 0.02, 0.005, 0.1, "m"}, {"below", 0.01, 0, 0.05, "m"}, {"spin", 5, 1, 20, "rad/s"},
-                      {"tilt", 0.5, 0, 5, "°"}, {"time", 6, 1, 30, "s"}},
+       .parameters = {{"a", 0.2, 0.05, 1, "m"},
+                      {"b", 0.03, 0.01, 0.2, "m"},
+                      {"c", 0.02, 0.005, 0.1, "m"},
+                      {"below", 0.01, 0, 0.05, "m"},
+                      {"spin", 5, 1, 20, "rad/s"},
+                      {"tilt", 0.5, 0, 5, "°"},
+                      {"time", 6, 1, 30, "s"}},
        .sets = {{"slower", {{"spin", 4}}}},
        .run = rattleback,
        .without = "gravity"},
@@ -197,7 +215,11 @@ std::vector<Case> tops() {
        .group = "Rolling",
        .formula = "L · (R ŷ − a e) constant whatever the friction; fast spin lifts it, slow spin does not",
        .source = "Jellett 1872; independent solution with sliding friction, Dormand & Prince 5(4)",
-       .parameters = {{"radius", 0.02, 0.005, 1, "m"}, {"offset", 0.003, 1e-4, 0.1, "m"}, {"A / C", 0.975, 0.5, 2, "1"}, {"friction", 0.3, 0.01, 1, "1"}, {"spin", 300, 10, 1000, "rad/s"}},
+       .parameters = {{"radius", 0.02, 0.005, 1, "m"},
+                      {"offset", 0.003, 1e-4, 0.1, "m"},
+                      {"A / C", 0.975, 0.5, 2, "1"},
+                      {"friction", 0.3, 0.01, 1, "1"},
+                      {"spin", 300, 10, 1000, "rad/s"}},
        .sets = {{"slow", {{"spin", 150}}}},
        .run = tippe_top,
        .without = "friction"},
