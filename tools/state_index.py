@@ -25,10 +25,10 @@ the step (`src/world/stages.h`). Written by `tools/state_index.py --write` from 
 TAIL = """
 ## Besides the arrays
 
-In this order in a snapshot (`src/world/snapshot.cc`): the settings; bodies, with the names of the bodies; joints, with
-their definitions; forces; touching pairs; sensors, with their memories; the table of pairs (`src/collision/narrow/pairs.h`:
-manifolds, cached axes); the fat boxes that decide which pairs exist; the clock. Geometry stands before all of these: it
-is stored once by content, and is not hashed.
+In this order in a snapshot (`src/world/snapshot.cc`): the settings; bodies, with the names of the bodies; the materials
+set for pairs; joints, with their definitions; forces; touching pairs; sensors, with their memories; the table of pairs
+(`src/collision/narrow/pairs.h`: manifolds, cached axes); the fat boxes that decide which pairs exist; the clock. Geometry
+stands before all of these: it is stored once by content, and is not hashed.
 """
 
 

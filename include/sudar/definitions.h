@@ -85,6 +85,7 @@ struct BodyDef {
   std::optional<Vec3> center{};    // of mass, in the shape's frame, m; none: the shape's own
   std::optional<Mat3> inertia{};   // about the centre of mass, shape's axes, kg m²; none: the shape's own
   Material material{};
+  Vec3 surface_velocity{};         // of the surface along itself while the body stands, like a belt's; m/s, shape's axes
   Filter filter{};
   Motion motion = Motion::dynamic;
   bool sleeps = true;              // may be put to sleep where the world sleeps
@@ -102,6 +103,7 @@ void describe(V& v, T& d) {
   v("center", d.center, any);
   v("inertia", d.inertia, any);
   v("material", d.material, any);
+  v("surface_velocity", d.surface_velocity, any);
   v("filter", d.filter, any);
   v("motion", d.motion, any);
   v("sleeps", d.sleeps, any);

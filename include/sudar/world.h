@@ -95,6 +95,7 @@ class BodyView {
   double kinetic_energy() const;
   const Shape& shape() const;
   const Material& material() const;
+  const Vec3& surface_velocity() const;  // m/s, shape's axes
   const std::string& name() const;
   Motion motion() const;
   bool asleep() const;
@@ -145,6 +146,9 @@ class World {
   void twist(Body, const Vec3& torque);                        // N·m, world axes, during the next step() only
   void place(Body, const Pose&);                               // of the shape's frame
   void set_velocity(Body, const Vec3& velocity, const Vec3& spin);
+  void set_surface_velocity(Body, const Vec3&);                // m/s, shape's axes
+  // What holds where the two touch, instead of the mix of their materials; none: the mix again.
+  void set_pair_material(Body a, Body b, const std::optional<Material>&);
   void set_drive(Joint, const Drive&);                         // of a hinge, slider or muscle
   void set_config(const Config&);
   void wake(Body);
@@ -170,6 +174,7 @@ class World {
   double value(SensorId) const;
   std::vector<Contact> contacts() const;
   bool touching(Body, Body) const;
+  Material pair_material(Body a, Body b) const;  // what holds where they touch: set, or mixed
   std::optional<RayHit> ray_cast(const Pos& from, const Vec3& direction, Real length) const;  // nearest; direction of length 1
   std::vector<Box> fat_boxes() const;    // of all bodies but half spaces: what the broad phase compares
   std::vector<Box> broad_boxes() const;  // what it is made of: cells or nodes; for pictures

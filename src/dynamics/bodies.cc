@@ -39,6 +39,7 @@ std::uint32_t Bodies::add(const BodyDef& def, std::uint32_t geometry_number) {
   const Geometry& g = def.shape.geometry();
   geometry[i] = geometry_number;
   material[i] = def.material;
+  surface_velocity[i] = def.surface_velocity;
   filter[i] = def.filter;
   motion[i] = def.motion;
   may_sleep[i] = def.sleeps ? 1 : 0;
@@ -78,6 +79,11 @@ Mat3 turned(const Quat& q, const Vec3& diagonal) {
   const Mat3 r = matrix(q);
   return Mat3{r.c0 * diagonal.x, r.c1 * diagonal.y, r.c2 * diagonal.z} * transpose(r);
 }
+}
+
+Vec3 Bodies::surface_velocity_world(std::uint32_t i) const {
+  if (surface_velocity[i] == Vec3{}) return {};
+  return rotate(orientation[i], rotate(shape_frame[i].q, surface_velocity[i]));
 }
 
 Mat3 Bodies::inertia_world(std::uint32_t i) const { return turned(orientation[i], inertia[i]); }

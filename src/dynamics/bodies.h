@@ -36,6 +36,7 @@ struct Bodies {
   void set_shape_pose(std::uint32_t i, const Pose& pose);
   void set_velocity(std::uint32_t i, const Vec3& v, const Vec3& w);
 
+  Vec3 surface_velocity_world(std::uint32_t i) const;
   Mat3 inertia_world(std::uint32_t i) const;          // kg m²
   Mat3 inverse_inertia_world(std::uint32_t i) const;  // zero for what is not dynamic
 

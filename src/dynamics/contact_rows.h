@@ -47,7 +47,7 @@ struct ManifoldRow {
   std::uint32_t count;
   Real friction;  // static or dynamic, chosen once a sub-step
   Mat3 frame;     // columns: normal from b to a, two tangents
-  PairMaterial material;
+  Material material;
   TurnRow turn;
   bool a_answers, b_answers;  // impulses move it
   bool struck, owes;          // took part in a collision; joints took a part of its bounce

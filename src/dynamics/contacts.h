@@ -42,11 +42,7 @@ struct Contacts {
   }
 };
 
-// The pair's material of two bodies' materials.
-struct PairMaterial {
-  Real friction_static, friction_dynamic, restitution;
-  Real rolling, spinning;  // m; the more resistant of the two materials decides
-};
+// The pair's material of two bodies' materials. Of rolling and spinning the more resistant one decides.
 inline Real mix(Mix how, Real a, Real b) {
   switch (how) {
     case Mix::min: return min(a, b);
@@ -56,7 +52,7 @@ inline Real mix(Mix how, Real a, Real b) {
   }
   return 0;
 }
-inline PairMaterial mix(const Config& config, const Material& a, const Material& b) {
+inline Material mix(const Config& config, const Material& a, const Material& b) {
   return {mix(config.friction_mix, a.friction_static, b.friction_static),
           mix(config.friction_mix, a.friction_dynamic, b.friction_dynamic),
           mix(config.restitution_mix, a.restitution, b.restitution), max(a.rolling, b.rolling),

@@ -131,9 +131,12 @@ class SubStep {
     }
     const Vec3 to_shape = rotate(bodies_.orientation[c.a], bodies_.shape_frame[c.a].p);
     const Vec3 apart = bodies_.position[c.a] - bodies_.position[c.b];
+    const Vec3 surfaces = bodies_.surface_velocity_world(c.a) - bodies_.surface_velocity_world(c.b);
+    const Real4 glide{0, dot(m.frame.c1, surfaces), dot(m.frame.c2, surfaces), 0};
     for (std::size_t k = 0; k < m.count; ++k) {
       const ManifoldPoint& from = manifold.points[k];
       PointRow& p = m.points[k] = PointRow{};
+      p.glide = glide;
       p.ra = from.at + to_shape;
       p.rb = p.ra + apart;
       prepare_masses(p, to_frame, a, b);

@@ -19,7 +19,7 @@ struct ActiveContact {
   std::uint32_t a, b;                // body slots
   std::uint32_t slot;                // in Contacts
   const Manifold* manifold;          // points relative to the origin of a's shape, world axes
-  PairMaterial material;
+  Material material;
 };
 
 struct SolveInput {

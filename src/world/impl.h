@@ -21,6 +21,13 @@ struct SensorMemory {
 };
 static_assert(sizeof(SensorMemory) == 7 * sizeof(double), "saved as bytes");
 
+// The material of a pair that the user set.
+struct PairMaterial {
+  ProxyPair key;  // body slots, the smaller one first
+  Material material;
+};
+static_assert(sizeof(PairMaterial) == 8 + sizeof(Material), "saved as bytes");
+
 struct World::Impl {
   explicit Impl(const Config& c);
 
@@ -28,6 +35,7 @@ struct World::Impl {
   Config config;
   Bodies bodies;
   std::vector<std::string> body_names;  // by slot
+  std::vector<PairMaterial> pair_materials;  // sorted; all other pairs mix theirs
   Joints joints;
   Forces forces;
   Contacts contacts;
@@ -98,6 +106,8 @@ struct World::Impl {
   void perform(const Torque&);
   void perform(const Place&);
   void perform(const SetVelocity&);
+  void perform(const SetSurfaceVelocity&);
+  void perform(const SetPairMaterial&);
   void perform(const SetDrive&);
   void perform(const SetConfig&);
   void perform(const Wake&);
@@ -110,6 +120,7 @@ struct World::Impl {
   // upkeep.cc
   const Geometry& geometry_of(std::uint32_t body) const { return geometry[bodies.geometry[body]].geometry(); }
   bool is_half_space(std::uint32_t body) const { return geometry_of(body).kind == ShapeKind::half_space; }
+  Material pair_material(const ProxyPair&) const;
   void touch_proxy(std::uint32_t body, bool force);  // keeps the fat box around the body, notes a change
   void drop_pairs(std::uint32_t body);               // forgets what it touches, and wakes that
   void release(const EndedPair&);                    // of the pair table: its contact row goes, its bodies wake

@@ -84,6 +84,7 @@ void World::Impl::perform(const RemoveBody& op) {
   }
   drop_pairs(i);
   std::erase_if(planes, [&](const PlaneProxy& p) { return p.proxy == i; });
+  std::erase_if(pair_materials, [&](const PairMaterial& m) { return m.key.a == i || m.key.b == i; });
   proxies[i] = {};
   changed.push_back(i);
   body_names[i].clear();
@@ -133,6 +134,30 @@ void World::Impl::perform(const SetVelocity& op) {
   check_spin(op.spin, bodies.inertia[op.body.index]);
   bodies.set_velocity(op.body.index, op.velocity, op.spin);
   wake_island(op.body.index);
+}
+
+void World::Impl::perform(const SetSurfaceVelocity& op) {
+  require(op.body, "body");
+  validate("", op);
+  bodies.surface_velocity[op.body.index] = op.velocity;
+  wake_island(op.body.index);
+  wake_around(op.body.index);
+}
+
+void World::Impl::perform(const SetPairMaterial& op) {
+  require(op.a, "a");
+  require(op.b, "b");
+  if (op.a == op.b) throw Error("b", "is the same body as a");
+  validate("", op);
+  const ProxyPair key{min(op.a.index, op.b.index), max(op.a.index, op.b.index)};
+  const auto at = std::find_if(pair_materials.begin(), pair_materials.end(),
+                               [&](const PairMaterial& m) { return !(m.key < key); });
+  const bool known = at != pair_materials.end() && at->key == key;
+  if (op.material && known) at->material = *op.material;
+  else if (op.material) pair_materials.insert(at, {key, *op.material});
+  else if (known) pair_materials.erase(at);
+  wake_island(key.a);
+  wake_island(key.b);
 }
 
 void World::Impl::perform(const Wake& op) {

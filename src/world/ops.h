@@ -23,6 +23,8 @@ struct SetConfig { Config config; };
 struct Wake { Body body; };
 struct Torque { Body body; Vec3 torque; };
 struct Load { Bytes state; };
+struct SetSurfaceVelocity { Body body; Vec3 velocity; };
+struct SetPairMaterial { Body a, b; std::optional<Material> material; };
 
 template <class V, class T>
   requires(Like<T, AddBody> || Like<T, AddForce> || Like<T, AddSensor> || Like<T, AddJoint>)
@@ -50,6 +52,10 @@ template <class V, Like<SetConfig> T>
 void describe(V& v, T& o) { v("config", o.config, any); }
 template <class V, Like<Load> T>
 void describe(V& v, T& o) { v("state", o.state, any); }
+template <class V, Like<SetSurfaceVelocity> T>
+void describe(V& v, T& o) { v("body", o.body, any), v("surface_velocity", o.velocity, any); }
+template <class V, Like<SetPairMaterial> T>
+void describe(V& v, T& o) { v("a", o.a, any), v("b", o.b, any), v("material", o.material, any); }
 
 using Operation = std::variant<std::monostate
 #define OP(name) , name

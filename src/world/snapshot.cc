@@ -25,6 +25,7 @@ void World::Impl::write_state(Writer& w) const {
   write(w, config);
   write(w, bodies);
   for (const std::string& name : body_names) w.text(name);
+  w.array(pair_materials);
   write(w, joints);
   write(w, forces);
   write(w, contacts);
@@ -41,6 +42,7 @@ void World::Impl::read_state(Reader& r) {
   read(r, bodies);
   body_names.resize(bodies.size());
   for (std::string& name : body_names) name = r.text();
+  r.array(pair_materials);
   read(r, joints);
   read(r, forces);
   read(r, contacts);
@@ -80,6 +82,17 @@ void check_body(const World::Impl& w, std::uint32_t i) {
     bad("holds a body that is nowhere");
 }
 
+void check_pair_materials(const World::Impl& w) {
+  const PairMaterial* before = nullptr;
+  for (const PairMaterial& m : w.pair_materials) {
+    const auto [a, b] = m.key;
+    const bool known = a < b && b < w.bodies.size() && w.bodies.slots.used(a) && w.bodies.slots.used(b);
+    if (!known || (before != nullptr && !(before->key < m.key))) bad("holds a material of bodies that it does not hold");
+    validate("material", m.material);
+    before = &m;
+  }
+}
+
 void check_pairs(const World::Impl& w) {
   std::vector<std::uint8_t> taken(w.contacts.slots.size(), 0);
   const ProxyPair* before = nullptr;
@@ -103,6 +116,7 @@ void check_pairs(const World::Impl& w) {
 void World::Impl::check_state() const {
   validate("config", config);
   for (std::uint32_t i = 0; i < bodies.size(); ++i) check_body(*this, i);
+  check_pair_materials(*this);
   check_pairs(*this);
   for (std::uint32_t j = 0; j < joints.size(); ++j) {
     if (!joints.slots.used(j)) continue;

@@ -22,13 +22,14 @@ bool carries(const Bodies& b, std::uint32_t i) {
   return i != no_body && b.motion[i] == Motion::kinematic && b.moves(i);
 }
 
-// Wakes the sleeping side of a touching pair whose other side moves. What a kinematic body carries does not even grow
-// quiet, however slow the journey.
+// Wakes the sleeping side of a touching pair whose other side moves. What a kinematic body or a surface carries does not
+// even grow quiet, however slow the journey.
 bool wake_sides(World::Impl& w, const ProxyPair& p) {
   const Bodies& b = w.bodies;
+  const bool driven = b.surface_velocity[p.a] != Vec3{} || b.surface_velocity[p.b] != Vec3{};
   bool woke = false;
   for (const auto& [side, other] : {p, ProxyPair{p.b, p.a}}) {
-    if (b.asleep[side] != 0 ? !b.moves(other) : !carries(b, other)) continue;
+    if (b.asleep[side] != 0 ? !b.moves(other) : !driven && !carries(b, other)) continue;
     woke |= b.asleep[side] != 0;
     w.wake_island(side);
   }
@@ -122,7 +123,7 @@ void link_contacts(World::Impl& w) {
     if (!touching(row)) continue;
     if (b.dynamic(a) && b.dynamic(c)) w.islands.unite(a, c);
     else w.islands.link(b.dynamic(a) ? a : c);
-    w.active_contacts.push_back({a, c, row.row, &row.manifold, mix(w.config, b.material[a], b.material[c])});
+    w.active_contacts.push_back({a, c, row.row, &row.manifold, w.pair_material(row.key)});
   }
 }
 

@@ -3,6 +3,13 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
+Material World::Impl::pair_material(const ProxyPair& key) const {
+  const auto at = std::lower_bound(pair_materials.begin(), pair_materials.end(), key,
+                                   [](const PairMaterial& m, const ProxyPair& k) { return m.key < k; });
+  if (at != pair_materials.end() && at->key == key) return at->material;
+  return mix(config, bodies.material[key.a], bodies.material[key.b]);
+}
+
 void World::Impl::touch_proxy(std::uint32_t i, bool force) {
   Proxy& proxy = proxies[i];
   proxy.filter = bodies.filter[i];

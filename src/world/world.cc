@@ -31,6 +31,10 @@ void World::push(Body b, const Vec3& force, const Pos& at) { impl_->operate(Push
 void World::twist(Body b, const Vec3& torque) { impl_->operate(Torque{b, torque}); }
 void World::place(Body b, const Pose& pose) { impl_->operate(Place{b, pose.p, pose.q}); }
 void World::set_velocity(Body b, const Vec3& v, const Vec3& spin) { impl_->operate(SetVelocity{b, v, spin}); }
+void World::set_surface_velocity(Body b, const Vec3& v) { impl_->operate(SetSurfaceVelocity{b, v}); }
+void World::set_pair_material(Body a, Body b, const std::optional<Material>& material) {
+  impl_->operate(SetPairMaterial{a, b, material});
+}
 void World::set_drive(Joint j, const Drive& drive) { impl_->operate(SetDrive{j, drive}); }
 void World::set_config(const Config& config) { impl_->operate(SetConfig{config}); }
 void World::wake(Body b) { impl_->operate(Wake{b}); }
@@ -115,6 +119,7 @@ double BodyView::kinetic_energy() const {
 }
 const Shape& BodyView::shape() const { return world_->impl().geometry[world_->impl().bodies.geometry[index_]]; }
 const Material& BodyView::material() const { return world_->impl().bodies.material[index_]; }
+const Vec3& BodyView::surface_velocity() const { return world_->impl().bodies.surface_velocity[index_]; }
 const std::string& BodyView::name() const { return world_->impl().body_names[index_]; }
 Motion BodyView::motion() const { return world_->impl().bodies.motion[index_]; }
 bool BodyView::asleep() const { return world_->impl().bodies.asleep[index_] != 0; }
@@ -155,12 +160,14 @@ Wrench JointView::load() const {
 
 namespace {
 
-// Whether the bodies move along each other there, by the 0.1 mm/s that also keep them from sleep. A contact that holds
+// Whether the surfaces move along each other there, by the 0.1 mm/s that also keep them from sleep. A contact that holds
 // with all that its cone allows does not slip.
 bool slides(const World& w, const Contact& c) {
   const Real still = Real(1e-4) * w.config().length_unit;
+  const Bodies& b = w.impl().bodies;
+  const Vec3 surfaces = b.surface_velocity_world(c.a.index) - b.surface_velocity_world(c.b.index);
   for (std::size_t k = 0; k < std::size_t(c.count); ++k) {
-    const Vec3 u = w[c.a].velocity_at(c.points[k].at) - w[c.b].velocity_at(c.points[k].at);
+    const Vec3 u = w[c.a].velocity_at(c.points[k].at) - w[c.b].velocity_at(c.points[k].at) + surfaces;
     if (length(u - c.normal * dot(u, c.normal)) > still) return true;
   }
   return false;
@@ -174,7 +181,7 @@ std::vector<Contact> World::contacts() const {
   for (const PairRow& row : w.pairs) {
     if (row.row == no_row) continue;
     const std::uint32_t a = row.key.a, b = row.key.b;
-    const PairMaterial material = mix(w.config, w.bodies.material[a], w.bodies.material[b]);
+    const Material material = w.pair_material(row.key);
     const ContactImpulse& impulse = w.contacts.impulse[row.row];
     Contact c{w.bodies.slots.handle<BodyTag>(a), w.bodies.slots.handle<BodyTag>(b), row.manifold.normal, {},
               row.manifold.count, material.friction_static, material.friction_dynamic, material.restitution,
@@ -190,6 +197,12 @@ std::vector<Contact> World::contacts() const {
     contacts.push_back(c);
   }
   return contacts;
+}
+
+Material World::pair_material(Body a, Body b) const {
+  impl_->require(a, "a");
+  impl_->require(b, "b");
+  return impl_->pair_material({min(a.index, b.index), max(a.index, b.index)});
 }
 
 bool World::touching(Body a, Body b) const {

@@ -170,17 +170,17 @@ void sideways(Run& run) {
   run.deviation(std::hypot(y[0] - i.position(block).z, y[1] - i.position(block).x));
 }
 
-// V63. A block laid on a moving belt: it slips for v/μg, and v²/2μg on the belt.
+// V63. A block laid on a moving belt: it slips for v/μg, and v²/2μg on the belt. The belt is a body that moves, or a
+// surface that moves on a body that stands.
 void conveyor(Run& run) {
   const double g = standard_gravity, mu = run["friction"], v = run["speed"];
   World w(run.fine_config());
   add_gravity(w, g);
   const Material m = material(run.with("friction", mu));
-  w.add({.shape = box({40, 1, 4}),
-         .at = {0, -0.5, 0},
-         .velocity = {Real(v), 0, 0},
-         .material = m,
-         .motion = Motion::kinematic});
+  BodyDef belt{.shape = box({40, 1, 4}), .at = {0, -0.5, 0}, .material = m, .motion = Motion::fixed};
+  if (run["surface"] > 0) belt.surface_velocity = {Real(v), 0, 0};
+  else belt.velocity = {Real(v), 0, 0}, belt.motion = Motion::kinematic;
+  w.add(belt);
   BodyDef def = flat_block(m);
   def.at = {0, 0.1, 0};
   const Body block = w.add(def);
@@ -261,8 +261,8 @@ std::vector<Case> friction() {
        .group = "Friction",
        .formula = "slips for v/μg, v²/2μg far",
        .source = "Coulomb's law",
-       .parameters = {{"friction", 0.4, 0.05, 1, "1"}, {"speed", 2, 0.1, 5, "m/s"}},
-       .sets = {{"slow", {{"speed", 1}, {"friction", 0.2}}}},
+       .parameters = {{"friction", 0.4, 0.05, 1, "1"}, {"speed", 2, 0.1, 5, "m/s"}, {"surface", 0, 0, 1, "1"}},
+       .sets = {{"slow", {{"speed", 1}, {"friction", 0.2}}}, {"moving surface", {{"surface", 1}}}},
        .run = conveyor,
        .without = "friction",
        .sweep = "the way slipped",

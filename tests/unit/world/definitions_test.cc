@@ -116,6 +116,7 @@ TEST(Definitions, Bodies) {
       body("material.friction_dynamic", [](BodyDef& d) { d.material.friction_dynamic = nan; }),
       body("material.restitution", [](BodyDef& d) { d.material.restitution = Real(1.01); }),
       body("material.restitution", [](BodyDef& d) { d.material.restitution = Real(-0.01); }),
+      body("surface_velocity", [](BodyDef& d) { d.surface_velocity.y = infinity; }),
       body("motion", [](BodyDef& d) { d.motion = Motion(7); }),
       body("motion", [](BodyDef& d) { d.shape = half_space(); }),
       body("motion", [](BodyDef& d) { d.shape = half_space(), d.motion = Motion::kinematic; }),
@@ -263,6 +264,16 @@ TEST(Definitions, Changes) {
          s.w.place(s.a, {{}, {1, 1, 0, 0}});
        }},
       {"body", [](Scene& s) { s.w.set_velocity(s.dead, {}, {}); }},
+      {"body", [](Scene& s) { s.w.set_surface_velocity(s.dead, {}); }},
+      {"surface_velocity",
+       [](Scene& s) {
+         s.w.set_surface_velocity(s.a, {0, nan, 0});
+       }},
+      {"a", [](Scene& s) { s.w.set_pair_material(s.dead, s.a, {}); }},
+      {"b", [](Scene& s) { s.w.set_pair_material(s.a, s.dead, {}); }},
+      {"b", [](Scene& s) { s.w.set_pair_material(s.a, s.a, {}); }},
+      {"material.restitution", [](Scene& s) { s.w.set_pair_material(s.a, s.b, Material{.restitution = 2}); }},
+      {"material.friction_static", [](Scene& s) { s.w.set_pair_material(s.a, s.b, Material{.friction_static = nan}); }},
       {"body",
        [](Scene& s) {
          s.w.set_velocity(s.wall, {1, 0, 0}, {});

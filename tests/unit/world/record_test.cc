@@ -22,6 +22,7 @@ Bytes record_everything(World& w, int steps = 40) {
     if (i == 4) w.twist(before, {5, 0, 0});
     if (i == 5) w.place(before, {{-2, 1, 0}, axis_angle(Vec3{0, 1, 0}, Real(1))});
     if (i == 7) w.set_velocity(a, {1, 2, 3}, {3, 2, 1});
+    if (i == 8) w.set_surface_velocity(ground, {1, 0, 2}), w.set_pair_material(ground, b, Material{.restitution = 1});
     if (i == 9) w.set_drive(hinge, {.mode = DriveMode::speed, .target = 3, .force = 10});
     if (i == 11) {
       Config c = w.config();

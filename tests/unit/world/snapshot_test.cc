@@ -42,6 +42,8 @@ struct Everything {
   // Changes that a running program makes.
   void control(int i) {
     if (i == 30) w.push(ball, {200, 0, 0}, {0, 1, 0});
+    if (i == 50) w.set_surface_velocity(lift, {Real(0.5), 0, 0});
+    if (i == 55) w.set_pair_material(ball, lift, Material{.restitution = 1});
     if (i == 60) w.remove(box_on_lift);
     if (i == 61) box_on_lift = w.add(cube({5, 3, 0}));
     if (i == 80) w.set_drive(hinge, {.mode = DriveMode::speed, .target = -2, .force = 5});
