@@ -37,7 +37,11 @@ constexpr T clamp(T x, T low, T high) { return min(max(x, low), high); }
 template <class T>
 constexpr T square(T x) { return x * x; }
 template <class T>
-constexpr T abs(T x) { return x < T(0) ? -x : x; }
+constexpr T abs(T x) {  // clears the sign bit: a comparison becomes a branch, which nothing can predict
+  if constexpr (std::is_same_v<T, float>) return __builtin_fabsf(x);
+  else if constexpr (std::is_same_v<T, double>) return __builtin_fabs(x);
+  else return x < T(0) ? -x : x;
+}
 template <class T>
 T sqrt(T x) { return std::sqrt(x); }
 
