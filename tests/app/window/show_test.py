@@ -65,7 +65,7 @@ class Show(harness.WindowTest):
             before = self.picture()
         self.assertEqual(harness.changed(by_body, before), 0)
         self.key("p")
-        self.until(lambda s: s["asleep"] > 0, "bricks fall asleep")
+        self.until(lambda s: s["asleep"] > 20, "bricks fall asleep")
         self.pause()
         self.toggles("l", "sleep_shown")
 
