@@ -3,7 +3,8 @@
 #include <algorithm>
 
 #include "base/timer.h"
-#include "dynamics/contact_rows.h"
+#include "dynamics/contact_impact.h"
+#include "dynamics/contact_visit.h"
 #include "dynamics/free_joints.h"
 #include "dynamics/integrate.h"
 #include "dynamics/levels.h"
@@ -56,12 +57,6 @@ class SubStep {
 
  private:
   SolverBody& body(std::uint32_t slot) { return memory_.bodies[slot]; }
-  // What does not answer impulses is not written: the next contact on the same floor need not wait for it.
-  void put(const ManifoldRow& m, const Moving& a, const Moving& b) {
-    if (m.a_answers) body(m.a).real = a;
-    if (m.b_answers) body(m.b).real = b;
-  }
-
   // The time of a scope counts as that of passes.
   class Stopwatch {
    public:
@@ -155,19 +150,6 @@ class SubStep {
     }
   }
 
-  // thesis §3.9's contact: one point, the centre of the overlap. It carries no moment, so no tower stands on it.
-  static Manifold centre(const Manifold& m) {
-    Manifold one;
-    one.normal = m.normal;
-    one.count = 1;
-    one.points[0].separation = m.points[0].separation;
-    for (int k = 0; k < m.count; ++k) {
-      one.points[0].at += m.points[std::size_t(k)].at / Real(m.count);
-      one.points[0].separation = min(one.points[0].separation, m.points[std::size_t(k)].separation);
-    }
-    return one;
-  }
-
   Real slop() const { return set_.slop * in_.config.length_unit; }
   Real stick_speed() const { return Real(0.1) * g_ * h_; }
 
@@ -231,7 +213,7 @@ class SubStep {
     const auto again = [&](Real restitution, Real friction) {
       a = a0, b = b0;
       for (std::size_t k = 0; k < m.count; ++k) m.points[k].blow = blow[k];
-      return impact(m, a, b, restitution, friction);
+      return impact(m, a, b, restitution, friction, least_, report_.collision.visits);
     };
     // It sticks if it can: only when the static cone does not hold does it slip, under dynamic friction.
     Real friction = m.material.friction_static;
@@ -241,65 +223,8 @@ class SubStep {
       outcome = again(m.material.restitution, friction);
     }
     if (outcome.made_energy) outcome = again(0, friction);  // friction made energy: take the bounce away instead
-    put(m, a, b);
+    put(memory_.bodies, m, a, b);
     m.struck = true, m.owes = false;
-  }
-
-  struct Impact {
-    bool slips = false, made_energy = false;
-  };
-  Impact impact(ManifoldRow& m, Moving& a, Moving& b, Real restitution, Real friction) {
-    std::array<Vec3, 4> before{};
-    for (std::size_t k = 0; k < m.count; ++k) {
-      PointRow& p = m.points[k];
-      before[k] = vector(relative_velocity(a, b, m, p));
-      const Real un = before[k].x;
-      if (!m.owes) p.aim = un < p.free_speed ? -restitution * un : p.free_speed;
-    }
-    share(m, a, b, before);
-    constexpr int most = 60;
-    for (int repeat = 0; repeat < most; ++repeat) {
-      Real change = 0;
-      for (PointRow& p : m.rows()) {
-        const Vec3 step = answer(p, relative_velocity(a, b, m, p), p.aim, 1, friction, p.blow);
-        apply(a, b, m, p, step);
-        change = max(change, size(p, step, 1));
-      }
-      report_.collision.visits += m.count;
-      if (change <= Real(0.1) * least_) break;
-    }
-    Impact outcome;
-    std::array<Vec3, 4> blow;
-    Real work = 0, scale_of_work = 0;  // ½ Σ p·(u⁻ + u⁺), and its size without cancellation
-    for (std::size_t k = 0; k < m.count; ++k) {
-      PointRow& p = m.points[k];
-      blow[k] = p.blow;
-      work += dot(p.blow, before[k] + vector(relative_velocity(a, b, m, p))) * Real(0.5);
-      scale_of_work += abs(dot(p.blow, before[k]));
-      p.hit |= p.blow.x > 0;
-    }
-    outcome.slips = slips(std::span<const Vec3>(blow).first(m.count), friction);
-    outcome.made_energy = !m.owes && work > Real(1e-4) * scale_of_work;
-    return outcome;
-  }
-
-  // Points of one face answer nearly alike, and visits need long until the first has shared its load with the others. So
-  // where all approach they begin with equal impulses, as large as the mean of their aims asks for: all that a face needs
-  // that meets a face squarely.
-  void share(ManifoldRow& m, Moving& a, Moving& b, const std::array<Vec3, 4>& before) {
-    Real asked = 0, answered = 0;
-    Moving tried_a = a, tried_b = b;
-    const Vec3 trial{m.points[0].normal_mass, 0, 0};
-    for (std::size_t k = 0; k < m.count; ++k) {
-      if (before[k].x >= m.points[k].aim) return;
-      asked += m.points[k].aim - before[k].x;
-      apply(tried_a, tried_b, m, m.points[k], trial);
-    }
-    for (std::size_t k = 0; k < m.count; ++k) {
-      answered += relative_velocity(tried_a, tried_b, m, m.points[k])[0] - before[k].x;
-    }
-    const Vec3 each = trial * (asked / answered);
-    for (PointRow& p : m.rows()) apply(a, b, m, p, each), p.blow += each;
   }
 
   // Option friction_per_increment: thesis (3.16), (3.18) nearly as written, each increment against its own cone. It serves to show
@@ -325,7 +250,7 @@ class SubStep {
       impulse = direction * (-(1 + restitution) * u.x / denominator);                         // thesis (3.17), (3.18)
     }
     apply(a, b, m, p, impulse);
-    put(m, a, b);
+    put(memory_.bodies, m, a, b);
     return impulse.x;
   }
 
@@ -440,7 +365,7 @@ class SubStep {
       for (ManifoldRow* m : rows) freeze_lower(*m, level);
       for (int pass = 0; pass < passes; ++pass) {
         for (ManifoldRow* m : rows) {
-          hold_together(1, *m);
+          hold_together(memory_.bodies, 1, *m);
           push(*m);
         }
       }
@@ -465,7 +390,7 @@ class SubStep {
         apply(a, b, m, p, p.impulse);
       }
       if (m.resists_turning()) apply_turning(a, b, m.turn, m.turn.impulse);
-      put(m, a, b);
+      put(memory_.bodies, m, a, b);
       report_.points += m.count;
     }
     for (JointSolve& j : joints_in_step_) {
@@ -487,62 +412,20 @@ class SubStep {
     return false;
   }
 
-  // One visit of a contact, its bodies in registers.
-  class Holding {
-   public:
-    Holding(SubStep& s, ManifoldRow& m, Real relaxation)
-        : s_(s), m_(m), relaxation_(relaxation), whole_(1 / relaxation), a_(s.body(m.a).real), b_(s.body(m.b).real) {}
-    [[gnu::always_inline]] void point(std::size_t k) {
-      PointRow& p = m_.points[k];
-      const Vec3 step = answer(p, relative_velocity(a_, b_, m_, p), p.target, relaxation_, m_.friction, p.impulse);
-      apply(a_, b_, m_, p, step);
-      change_ = max(change_, size(p, step, whole_));
-      load_ += p.impulse.x;
-    }
-    std::size_t count() const { return m_.count; }
-    Real end() {
-      if (m_.resists_turning()) change_ = max(change_, radius(m_) * resist_turning(m_, a_, b_, load_));
-      s_.put(m_, a_, b_);
-      s_.report_.contact.visits += m_.count;
-      return change_;
-    }
-
-   private:
-    SubStep& s_;
-    ManifoldRow& m_;
-    Real relaxation_, whole_;
-    Moving a_, b_;
-    Real change_ = 0, load_ = 0;
-  };
-
-  // Visits a group point by point in turn: the processor then works on all of its contacts at once. Returns the largest
-  // change of a relative velocity, unrelaxed, m/s.
+  // Returns the largest change of a relative velocity, unrelaxed, m/s.
   Real hold(const ContactGroup& group, Real relaxation) {
-    const auto contact = [&](std::size_t n) -> ManifoldRow& { return manifolds_[group.members[n]]; };
+    const auto contact = [&](std::size_t n) -> ManifoldRow& {
+      ManifoldRow& m = manifolds_[group.members[n]];
+      report_.contact.visits += m.count;
+      return m;
+    };
+    SolverBodies& on = memory_.bodies;
     switch (group.count) {
-      case 1: return hold_together(relaxation, contact(0));
-      case 2: return hold_together(relaxation, contact(0), contact(1));
-      case 3: return hold_together(relaxation, contact(0), contact(1), contact(2));
-      default: return hold_together(relaxation, contact(0), contact(1), contact(2), contact(3));
+      case 1: return hold_together(on, relaxation, contact(0));
+      case 2: return hold_together(on, relaxation, contact(0), contact(1));
+      case 3: return hold_together(on, relaxation, contact(0), contact(1), contact(2));
+      default: return hold_together(on, relaxation, contact(0), contact(1), contact(2), contact(3));
     }
-  }
-  template <class... Contacts>
-  Real hold_together(Real relaxation, Contacts&... contacts) {
-    std::array all{Holding(*this, contacts, relaxation)...};
-    const std::uint32_t most = std::max({contacts.count...});
-    for (std::size_t k = 0; k < most; ++k) {
-      for (Holding& h : all) {
-        if (k < h.count()) h.point(k);
-      }
-    }
-    Real change = 0;
-    for (Holding& h : all) change = max(change, h.end());
-    return change;
-  }
-
-  // An arm of the contact, to compare a turning with a speed, m.
-  static Real radius(const ManifoldRow& m) {
-    return min(length(m.points[0].ra), length(m.points[0].rb));
   }
 
   Real hold_as_written(ManifoldRow& m, Real relaxation) {

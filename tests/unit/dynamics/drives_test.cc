@@ -199,7 +199,7 @@ TEST(Muscle, LiftsAndHolds) {
 TEST(Spring, IsImplicit) {
   const double h = 0.01, k = 40, c = 3, m = 2;
   World w(steady(h));
-  const Body b = w.add({.shape = box({1, 1, 1}), .mass = m});
+  const Body b = w.add({.shape = box({1, 1, 1}), .mass = Real(m)});
   const Drive spring{.mode = DriveMode::spring, .target = 1, .force = 1000, .stiffness = Real(k), .damping = Real(c)};
   const Joint j = w.join(Slider{.b = b, .axis = x_axis, .drive = spring});
   double x = 0, v = 0;
