@@ -209,7 +209,7 @@ void Panels::selection() {
   const BodyFacts& b = *m->selected;
   ImGui::Text("body %u  %s%s", b.body.index, b.name.c_str(), b.asleep ? "  asleep" : "");
   ImGui::Text("m  %.4g kg", b.mass);
-  ImGui::Text("x  %.4g  %.4g  %.4g m", b.at.x, b.at.y, b.at.z);
+  ImGui::Text("x  %.4g  %.4g  %.4g m", b.pose.p.x, b.pose.p.y, b.pose.p.z);
   ImGui::Text("v  %.3g  %.3g  %.3g m/s", double(b.velocity.x), double(b.velocity.y), double(b.velocity.z));
   ImGui::Text("ω  %.3g  %.3g  %.3g rad/s", double(b.spin.x), double(b.spin.y), double(b.spin.z));
   ImGui::Text("kinetic energy  %.4g J", b.energy);

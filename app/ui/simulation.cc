@@ -196,7 +196,7 @@ std::shared_ptr<Moment> Simulation::moment() const {
   if (w.alive(selected_)) {
     const BodyView b = w[selected_];
     m->selected = {selected_,  b.name(),     double(b.mass()), b.kinetic_energy(),
-                   b.pose().p, b.velocity(), b.spin(),         b.asleep()};
+                   b.pose(),   b.velocity(), b.spin(),         b.asleep()};
   }
   return m;
 }

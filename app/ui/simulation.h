@@ -21,7 +21,7 @@ struct BodyFacts {
   Body body;
   std::string name;
   double mass = 0, energy = 0;
-  Pos at;
+  Pose pose;
   Vec3 velocity, spin;
   bool asleep = false;
 };

@@ -7,6 +7,15 @@
 
 namespace sudar::ui {
 
+using Json = nlohmann::ordered_json;
+
+namespace {
+template <class V>
+Json list(const V& v) {
+  return {v.x, v.y, v.z};
+}
+}  // namespace
+
 void StatusFile::write(const Controls& c, const Window& window, double frames_per_second) {
   ++pictures_;
   const Clock::time_point now = Clock::now();
@@ -15,11 +24,11 @@ void StatusFile::write(const Controls& c, const Window& window, double frames_pe
   const Moment& m = *c.moment();
   const View& v = c.view();
   const Camera& camera = c.camera.camera();
-  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+  Json parameters = Json::object();
   for (const Params::Entry& p : m.params) parameters[p.name] = p.value;
-  nlohmann::ordered_json config = nlohmann::ordered_json::object();
+  Json config = Json::object();
   for (const auto& [path, value] : fields_of(m.config)) config[path] = value;
-  nlohmann::ordered_json shortcuts = nlohmann::ordered_json::array();
+  Json shortcuts = Json::array();
   for (const Binding& b : bindings()) {
     if (*b.shortcut) shortcuts.push_back(b.shortcut);
   }
@@ -29,7 +38,8 @@ void StatusFile::write(const Controls& c, const Window& window, double frames_pe
     fastest = std::max(fastest, i.speed);
     asleep += i.asleep ? 1 : 0;
   }
-  const nlohmann::ordered_json j = {
+  const Quat turn = m.selected ? m.selected->pose.q : Quat{};
+  const Json j = {
       {"scene", m.entry->name},
       {"run", m.run},
       {"steps", m.steps},
@@ -43,15 +53,14 @@ void StatusFile::write(const Controls& c, const Window& window, double frames_pe
       {"parameters", parameters},
       {"config", config},
       {"selected", c.selected.null() ? -1 : std::int64_t(c.selected.index)},
-      {"selected_at",
-       m.selected ? nlohmann::ordered_json{m.selected->at.x, m.selected->at.y, m.selected->at.z} : nullptr},
-      {"selected_spin",
-       m.selected ? nlohmann::ordered_json{m.selected->spin.x, m.selected->spin.y, m.selected->spin.z} : nullptr},
+      {"selected_at", m.selected ? list(m.selected->pose.p) : nullptr},
+      {"selected_turn", m.selected ? Json{turn.x, turn.y, turn.z, turn.w} : nullptr},
+      {"selected_spin", m.selected ? list(m.selected->spin) : nullptr},
       {"dragging", m.spring.has_value()},
       {"recording", m.recording},
       {"filming", c.filming},
-      {"eye", {camera.eye.x, camera.eye.y, camera.eye.z}},
-      {"target", {camera.target.x, camera.target.y, camera.target.z}},
+      {"eye", list(camera.eye)},
+      {"target", list(camera.target)},
       {"fastest", fastest},
       {"asleep", asleep},
       {"follow", c.follow},

@@ -132,7 +132,7 @@ struct Vehicle : Scenario {
     if (driver == over_the_bridge) {
       c.at(10).near("x after 10 s, on the ramp", p.x, -89, 5, "m");
       c.at(16).near("x after 16 s", p.x, -215, 10, "m");
-      c.at(20).near("x after 20 s, on the bridge", p.x, -315, 20, "m");
+      c.at(20).near("x after 20 s, on the bridge", p.x, -315, 15, "m");
       c.at(22).below("x after 22 s, over the bridge", p.x, -351, "m");
     }
   }
