@@ -17,4 +17,15 @@ class Timer {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+// Adds the time of its scope.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& microseconds) : sum_(microseconds) {}
+  ~Stopwatch() { sum_ += timer_.microseconds(); }
+
+ private:
+  double& sum_;
+  Timer timer_;
+};
+
 }

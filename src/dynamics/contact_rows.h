@@ -184,17 +184,4 @@ inline bool slips(std::span<const Vec3> impulses, Real coefficient) {
   return sum.x > 0 && (everywhere || slide(sum) >= nearly * sum.x);
 }
 
-// thesis §3.9's contact: one point, the centre of the overlap. It carries no moment, so no tower stands on it.
-inline Manifold centre(const Manifold& m) {
-  Manifold one;
-  one.normal = m.normal;
-  one.count = 1;
-  one.points[0].separation = m.points[0].separation;
-  for (int k = 0; k < m.count; ++k) {
-    one.points[0].at += m.points[std::size_t(k)].at / Real(m.count);
-    one.points[0].separation = min(one.points[0].separation, m.points[std::size_t(k)].separation);
-  }
-  return one;
-}
-
 }

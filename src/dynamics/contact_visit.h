@@ -1,6 +1,8 @@
 // One visit of a contact in the contact passes, and of several contacts at once.
 #pragma once
 
+#include <algorithm>
+
 #include "dynamics/contact_rows.h"
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -54,6 +56,22 @@ Real hold_together(SolverBodies& on, Real relaxation, Contacts&... contacts) {
   }
   Real change = 0;
   for (Holding& h : all) change = max(change, h.end());
+  return change;
+}
+
+// One visit in pseudo velocity: overlap beyond the slop is pushed apart. Returns the change of the relative speed, m/s.
+inline Real push(SolverBodies& on, ManifoldRow& m, std::int64_t& visits) {
+  Moving &a = on[m.a].push, &b = on[m.b].push;
+  Real change = 0;
+  for (PointRow& p : m.rows()) {
+    if (p.push_target <= 0) continue;
+    const Real left = p.push_target - relative_velocity(a, b, m, p)[0];
+    const Real step = max(-p.push, left * p.normal_mass);
+    apply(a, b, m, p, {step, 0, 0});
+    change = max(change, abs(step) * p.normal_response);
+    p.push += step;
+    ++visits;
+  }
   return change;
 }
 
