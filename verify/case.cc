@@ -25,8 +25,6 @@ Run::Run(const Case& c, const Values& set, const Setting& setting)
 
 double Run::operator[](std::string_view parameter) const { return values_.at(std::string(parameter)); }
 
-bool Run::without(std::string_view what) const { return setting_.broken && what == case_.without; }
-
 Config Run::config() const {
   Config c;
   c.solver = setting_.solver;
@@ -36,6 +34,7 @@ Config Run::config() const {
     c.impulse_2007.collision_passes = c.impulse_2007.contact_passes = 0;
     c.impulse_2007.exact_joints = false;
   }
+  c.impulse_2007.one_point_contact = without("contact areas");
   return c;
 }
 
@@ -67,10 +66,6 @@ void Run::relative(std::string name, std::string unit, double exact, double got,
 
 void Run::refutes(std::string name, std::string unit, double exact, double wrong, double tolerance) {
   quantities_.push_back({std::move(name) + " (wrong)", std::move(unit), exact, wrong, tolerance, true});
-}
-
-void Run::lacks(std::string name, std::string unit, double exact, const char* what) {
-  check(name + " (needs " + what + ")", std::move(unit), exact, std::nan(""), 0);
 }
 
 Plot& Run::plot(std::string title, std::string x, std::string y) {

@@ -10,8 +10,8 @@
 //     run.until(w, 2, [] {});
 //     run.check("height", "m", fallen(…), w[b].center().y, 5e-5);
 //   }
-// Its physics can be taken away: `without` names what, with("gravity", x) then gives 0, and without("impulses") is done
-// by config(). A test demands that every case fails so.
+// Its physics can be taken away: `without` names what, with("gravity", x) then gives 0. "impulses" and "contact areas"
+// are taken away by config(). A test demands that a case fails without any one of them.
 #pragma once
 
 #include <sudar/world.h>
@@ -59,6 +59,14 @@ struct Plot {
   std::vector<std::pair<double, double>> theory{}, simulation{};
 };
 
+// What shows that a case bites: with these it fails when any of `without` is taken away. Less than the defaults where
+// those take long, finer steps where four sub-steps fail whatever is taken away.
+struct Bite {
+  Values values{};
+  int substeps = 4;
+  Effort effort = Effort::quick;  // from which on it is tested
+};
+
 // A case in one world of one solver with one set of parameters.
 class Run;
 
@@ -69,10 +77,10 @@ struct Case {
   std::vector<Parameter> parameters{};
   std::vector<ParameterSet> sets{};  // beside the defaults
   void (*run)(Run&) = nullptr;
-  const char* without = "";       // what to take away so that it must fail
+  std::vector<const char*> without{};  // what can be taken away, one at a time
+  Bite bite{};
   Effort effort = Effort::quick;  // from which on it is run
   const char* others = "";        // what other engines reach
-  const char* needs = "";         // what the engine lacks: such a case has no run, and counts as not passed
   bool uses_solver = true;        // false: geometry
   // What falls as h^order, where theory says so: the run states it by deviation(), and a sweep over step sizes measures
   // the order, with 1, 2, 4 and 8 times so many sub-steps.
@@ -85,8 +93,8 @@ class Run {
  public:
   struct Setting {
     Solver solver = Solver::impulse_2007;
-    bool broken = false;  // with its physics taken away
-    int substeps = 4;     // of a step of 1/60 s
+    std::string_view without{};  // what is taken away; nothing: the case as it is
+    int substeps = 4;            // of a step of 1/60 s
     Effort effort = Effort::normal;
     bool pictures = false;  // of the first world, for the report
   };
@@ -94,10 +102,11 @@ class Run {
 
   double operator[](std::string_view parameter) const;
   const Setting& setting() const { return setting_; }
-  bool without(std::string_view what) const;
+  bool without(std::string_view what) const { return setting_.without == what; }
   double with(std::string_view what, double value) const { return without(what) ? 0 : value; }
 
-  // 60 Hz × 4 sub-steps, no sleeping, the chosen solver; without("impulses") it makes no passes.
+  // 60 Hz × 4 sub-steps, no sleeping, the chosen solver; without("impulses") it makes no passes, without("contact areas")
+  // a contact is a point.
   Config config() const;
   // The same sub-steps, each a step of its own: for what must be seen more often.
   Config fine_config() const;
@@ -113,8 +122,6 @@ class Run {
   // What a wrong formula gives, beside what is right: passes when it is off.
   void refutes(std::string name, std::string unit, double exact, double wrong, double tolerance);
   void holds(std::string name, bool got) { check(name, "", 1, got ? 1 : 0, 0); }
-  // A part of the case that the engine cannot do: not passed.
-  void lacks(std::string name, std::string unit, double exact, const char* what);
   void deviation(double d) { deviation_ = d; }
   double deviation() const { return deviation_; }
   Plot& plot(std::string title, std::string x, std::string y);

@@ -14,10 +14,10 @@ namespace {
 
 constexpr const char* style = R"(
 :root { --paper: #fbfaf8; --card: #fff; --ink: #1d232b; --faint: #6b7480; --rule: #e2e0da; --good: #1f7a4d; --bad: #b3322b;
-        --none: #8a6d1a; --theory: #d0702a; --dots: #2a6f97; }
+        --theory: #d0702a; --dots: #2a6f97; }
 @media (prefers-color-scheme: dark) {
   :root { --paper: #15181c; --card: #1c2026; --ink: #e4e6e9; --faint: #98a1ac; --rule: #313841; --good: #5cc48f;
-          --bad: #ef7d74; --none: #d9b64c; --theory: #f0a35e; --dots: #74b7dd; } }
+          --bad: #ef7d74; --theory: #f0a35e; --dots: #74b7dd; } }
 * { box-sizing: border-box; }
 body { margin: 0; background: var(--paper); color: var(--ink); font: 16px/1.5 system-ui, sans-serif; }
 main { max-width: 72rem; margin: 0 auto; padding: 2.2rem 1.5rem 4rem; }
@@ -30,8 +30,8 @@ p { margin: .4rem 0; } a { color: inherit; text-decoration-color: var(--faint); 
        padding: .6rem 1rem; margin: 1rem 0; }
 .counts { display: flex; gap: 2.5rem; margin: 1.4rem 0 .8rem; } .counts b { display: block; font-size: 2rem; line-height: 1.1; }
 .bar { display: flex; height: .5rem; border-radius: .25rem; overflow: hidden; background: var(--rule); max-width: 34rem; }
-.bar i { display: block; } .bar .good { background: var(--good); } .bar .bad { background: var(--bad); } .bar .none { background: var(--none); }
-.good { color: var(--good); } .bad { color: var(--bad); } .none { color: var(--none); }
+.bar i { display: block; } .bar .good { background: var(--good); } .bar .bad { background: var(--bad); }
+.good { color: var(--good); } .bad { color: var(--bad); }
 .wide { overflow-x: auto; background: var(--card); border: 1px solid var(--rule); border-radius: .5rem; }
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; font-size: .9rem; }
 th, td { text-align: left; padding: .38rem .75rem; border-top: 1px solid var(--rule); white-space: nowrap; }
@@ -78,9 +78,8 @@ using Group = std::vector<const Result*>;  // of one case
 bool passed(const Group& g) {
   return std::all_of(g.begin(), g.end(), [](const Result* r) { return r->passed(); });
 }
-bool can(const Group& g) { return g.front()->of->run != nullptr; }
-const char* kind(const Group& g) { return passed(g) ? "good" : can(g) ? "bad" : "none"; }
-const char* verdict(const Group& g) { return passed(g) ? "✓ passes" : can(g) ? "✗ fails" : "– cannot"; }
+const char* kind(const Group& g) { return passed(g) ? "good" : "bad"; }
+const char* verdict(const Group& g) { return passed(g) ? "✓ passes" : "✗ fails"; }
 
 // The largest error in tolerances.
 double worst(const Group& g) {
@@ -127,8 +126,7 @@ std::string case_page(const Group& g, const std::string& engine) {
   const Case& c = *g.front()->of;
   std::string s = "<p class=\"faint\"><a href=\"index.html\">All cases</a> · " + escaped(c.group) + "</p>\n<h1>" +
                   c.id + " " + escaped(c.title) + "</h1>\n";
-  s += std::string("<p class=\"") + kind(g) + "\">" + verdict(g) +
-       (can(g) ? "" : ": the engine lacks " + escaped(c.needs)) + "</p>\n";
+  s += std::string("<p class=\"") + kind(g) + "\">" + verdict(g) + "</p>\n";
   s += "<p class=\"law\">" + escaped(c.formula) + "</p>\n<p class=\"faint\">Source: " + escaped(c.source) + "</p>\n";
   if (*c.others != 0) s += "<p><b>Other engines:</b> " + escaped(c.others) + "</p>\n";
   s += "<p class=\"faint key\">" + escaped(engine) + "<i></i>theory<i class=\"s\"></i>simulation</p>\n";
@@ -140,7 +138,7 @@ std::string case_page(const Group& g, const std::string& engine) {
            (std::string_view(p.unit) == "1" ? "" : escaped(p.unit)) + " &nbsp; ";
     }
     s += "</p>\n";
-    if (!r->failure.empty() && can(g)) s += "<p class=\"bad\">" + escaped(r->failure) + "</p>\n";
+    if (!r->failure.empty()) s += "<p class=\"bad\">" + escaped(r->failure) + "</p>\n";
     if (!r->quantities.empty()) s += quantities(*r) + figures(*r);
   }
   return page(std::string(c.id) + " " + c.title, s);
@@ -167,16 +165,16 @@ std::string peers(const std::vector<Result>& results) {
 std::string index_page(const std::vector<Group>& groups, const std::vector<Result>& results,
                        const std::string& engine) {
   const Tally t = count(results);
-  const int failed = t.cases - t.passed - t.cannot;
+  const int failed = t.cases - t.passed;
   std::string s = "<h1>How right is Sudar?</h1>\n<p class=\"faint\">" + escaped(engine) + "</p>\n";
   s += "<div class=\"counts\"><span class=\"good\"><b>" + std::to_string(t.passed) +
-       "</b>pass</span><span class=\"bad\"><b>" + std::to_string(failed) + "</b>fail</span><span class=\"none\"><b>" +
-       std::to_string(t.cannot) + "</b>cannot be run</span></div>\n<div class=\"bar\">";
+       "</b>pass</span><span class=\"bad\"><b>" + std::to_string(failed) +
+       "</b>fail</span></div>\n<div class=\"bar\">";
   const auto part = [&](const char* name, int n) {
     s += std::string("<i class=\"") + name + "\" style=\"width:" + number(100.0 * n / std::max(1, t.cases), "%.2f") +
          "%\"></i>";
   };
-  part("good", t.passed), part("bad", failed), part("none", t.cannot);
+  part("good", t.passed), part("bad", failed);
   s += "</div>\n<p>Each case is a law of mechanics with an exact result, computed on the spot, and the scene in which "
        "the engine has to obey it.</p>\n";
   s += peers(results);
@@ -195,7 +193,7 @@ std::string index_page(const std::vector<Group>& groups, const std::vector<Resul
       double seconds = 0;
       for (const Result* r : g) seconds += r->seconds;
       s += "<tr><td><a href=\"" + std::string(c.id) + ".html\">" + c.id + " " + escaped(c.title) + "</a></td>" +
-           cell(escaped(c.formula), "text faint") + cell(can(g) ? number(worst(g), "%.2g") : "–", "n") +
+           cell(escaped(c.formula), "text faint") + cell(number(worst(g), "%.2g"), "n") +
            cell(number(seconds, "%.2f"), "n") + cell(verdict(g), kind(g)) + "</tr>\n";
     }
     s += "</table></div>\n";

@@ -31,15 +31,12 @@ Tally count(const std::vector<Result>& results) {
     const bool catalogue = results[i].of->id[0] == 'V';
     ++(catalogue ? tally.cases : tally.beside);
     (catalogue ? tally.passed : tally.beside_passed) += passed ? 1 : 0;
-    tally.cannot += results[i].of->run == nullptr ? 1 : 0;
   }
   return tally;
 }
 
 std::string Tally::text() const {
-  return std::to_string(passed) + " of " + std::to_string(cases) + " cases pass; " +
-         std::to_string(cases - passed - cannot) + " fail, " + std::to_string(cannot) +
-         " need what the engine does not have" +
+  return std::to_string(passed) + " of " + std::to_string(cases) + " cases pass" +
          (beside > 0 ? "; beside them " + std::to_string(beside_passed) + " of " + std::to_string(beside) : "");
 }
 
@@ -52,7 +49,7 @@ std::vector<const Case*> chosen_cases(const Options& o) {
   for (const std::string& id : o.cases) chosen.push_back(&find_case(id));
   if (!o.cases.empty()) return chosen;
   for (const Case& c : all_cases()) {
-    if (c.effort <= o.effort) chosen.push_back(&c);
+    if ((o.bites ? c.bite.effort : c.effort) <= o.effort) chosen.push_back(&c);
   }
   return chosen;
 }
@@ -75,17 +72,23 @@ std::vector<Result> plan(const Options& o) {
   std::vector<Result> results;
   for (const Case* c : cases) {
     std::vector<ParameterSet> sets{{"defaults", {}}};
-    if (const Values own = known_to(*c, o.set); !own.empty())
+    if (o.bites)
+      sets = {{"bite", c->bite.values}};
+    else if (const Values own = known_to(*c, o.set); !own.empty())
       sets = {{"chosen", own}};
-    else if (!o.only_defaults)
+    else
       sets.insert(sets.end(), c->sets.begin(), c->sets.end());
+    std::vector<const char*> taken{""};
+    if (o.bites) taken.insert(taken.end(), c->without.begin(), c->without.end());
     for (const ParameterSet& set : sets) {
       if (set.effort > o.effort) continue;
-      const Result r{.of = c, .set = set.name, .parameters = values_of(*c, set.values), .solver = {}};
-      if (!c->uses_solver) results.push_back(r);
-      for (std::size_t s = 0; c->uses_solver && s < o.solvers.size(); ++s)
-        results.push_back(r), results.back().solver = o.solvers[s];
-      if (c->run == nullptr) break;
+      for (const char* without : taken) {
+        const Result r{
+            .of = c, .set = set.name, .parameters = values_of(*c, set.values), .solver = {}, .without = without};
+        if (!c->uses_solver) results.push_back(r);
+        for (std::size_t s = 0; c->uses_solver && s < o.solvers.size(); ++s)
+          results.push_back(r), results.back().solver = o.solvers[s];
+      }
     }
   }
   return results;
@@ -109,17 +112,17 @@ void run_one(const Options& o, Result& r) {
   const auto start = std::chrono::steady_clock::now();
   const Case& c = *r.of;
   try {
-    const Run::Setting setting{r.solver.value_or(Solver::impulse_2007), o.broken, 4, o.effort, o.pictures};
+    const Run::Setting setting{.solver = r.solver.value_or(Solver::impulse_2007),
+                               .without = r.without,
+                               .substeps = o.bites ? c.bite.substeps : Run::Setting{}.substeps,
+                               .effort = o.effort,
+                               .pictures = o.pictures};
     Run run(c, r.parameters, setting);
-    if (c.run == nullptr) {
-      r.failure = std::string("needs ") + c.needs;
-      return;
-    }
     c.run(run);
     r.quantities = run.quantities();
     r.plots = run.plots();
     if (!run.picture().empty()) r.picture = run.picture().svg();
-    if (*c.sweep != 0 && o.effort != Effort::quick && !o.broken) measure_order(c, r, setting);
+    if (*c.sweep != 0 && o.effort != Effort::quick && !o.bites) measure_order(c, r, setting);
   } catch (const std::exception& e) { r.failure = e.what(); }
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

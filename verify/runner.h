@@ -16,6 +16,7 @@ struct Result {
   std::string set;  // name of the parameter set
   Values parameters;
   std::optional<Solver> solver;  // none: the case is geometry
+  std::string_view without{};    // what was taken away
   std::vector<Quantity> quantities{};
   std::deque<Plot> plots{};
   std::string picture{};                           // SVG
@@ -31,15 +32,14 @@ struct Options {
   Values set{};  // instead of the cases' own sets: their defaults with these
   std::vector<Solver> solvers{Solver::impulse_2007};
   unsigned jobs = 0;           // 0: as many as the processor has
-  bool broken = false;         // with the physics taken away
-  bool only_defaults = false;  // of the parameter sets
   bool pictures = false;       // for the report
+  bool bites = false;          // instead: each case with its bite, as it is and with each part of its physics taken away
 };
 
 // How many cases pass: a case does when it does so with every set of parameters and every solver. The catalogue's are
 // V…; beside them stand SimBenchmark's tasks and the thesis's errata.
 struct Tally {
-  int cases = 0, passed = 0, cannot = 0;  // of the catalogue; cannot: the engine lacks something
+  int cases = 0, passed = 0;  // of the catalogue
   int beside = 0, beside_passed = 0;
   std::string text() const;
 };

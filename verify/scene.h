@@ -16,7 +16,9 @@ inline Body add_ground(World& w, const Material& m, const Pos& at = {}, const Qu
   return w.add({.shape = half_space(), .at = at, .turn = turn, .material = m, .motion = Motion::fixed});
 }
 
-inline void add_gravity(World& w, double g) { w.add(Gravity{{0, Real(-g), 0}}); }
+inline void add_gravity(const Run& run, World& w, double g = standard_gravity) {
+  w.add(Gravity{{0, Real(-run.with("gravity", g)), 0}});
+}
 
 // Structures whose equilibrium allows less play than the default overlap of 10 mm.
 inline Config with_small_slop(Config c) {

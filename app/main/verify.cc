@@ -40,7 +40,7 @@ struct VerifyOptions {
 
 void list_cases() {
   for (const Case& c : all_cases()) {
-    std::printf("%-5s %-16s %s%s%s\n", c.id, c.group, c.title, *c.needs != 0 ? ": needs " : "", c.needs);
+    std::printf("%-5s %-16s %s\n", c.id, c.group, c.title);
     for (const Parameter& p : c.parameters) {
       std::printf("%24s = %g %s (%g … %g)\n", p.name, p.value, p.unit, p.low, p.high);
     }

@@ -67,7 +67,7 @@ double least_thickness(int stones) {
 bool arch_stands(Run& run, int stones, double thickness) {
   const Arch arch{stones, thickness};
   World w(with_small_slop(run.config()));
-  add_gravity(w, standard_gravity);
+  add_gravity(run, w);
   const Material m = material(2);
   add_ground(w, m);
   Body crown;
@@ -96,7 +96,7 @@ void hanging_chain(Run& run) {
   };
   const double pull = root(reach, 1e-3, 1e3);
   World w(run.config());
-  add_gravity(w, standard_gravity);
+  add_gravity(run, w);
   Pos at{-span / 2, 0, 0};
   Body before;
   std::vector<Joint> joints;
@@ -135,7 +135,7 @@ class CardHouse {
   // The friction is that of the floor; what rubs on cards does not slip.
   CardHouse(Run& run, double half_angle, double friction)
       : world_(with_small_slop(run.config())), half_(half_angle), cards_(material(2)) {
-    add_gravity(world_, standard_gravity);
+    add_gravity(run, world_);
     add_ground(world_, material(square(friction) / 2));  // mixed geometrically
   }
   // Two cards whose upper inner edges meet at x, and whose feet stand at height y. Gives the height of the meeting.
@@ -215,7 +215,7 @@ std::vector<Case> arches() {
        .parameters = {{"stones", 16, 6, 60, "1"}, {"rods", 20, 2, 100, "1"}, {"span", 3, 1, 3.9, "m"}},
        .sets = {{"twelve stones", {{"stones", 12}, {"span", 2}}}},
        .run = arch,
-       .without = "thickness"},
+       .without = {"thickness", "impulses", "gravity"}},
       {.id = "V46",
        .title = "House of cards",
        .group = "Structures",
@@ -224,7 +224,7 @@ std::vector<Case> arches() {
        .parameters = {{"half angle", 15, 5, 40, "°"}},
        .sets = {{"10°", {{"half angle", 10}}}, {"20°", {{"half angle", 20}}}},
        .run = cards,
-       .without = "friction"},
+       .without = {"friction", "gravity"}},
   };
 }
 

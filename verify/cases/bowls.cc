@@ -17,7 +17,7 @@ void pipe(Run& run) {
   const double nu = rate * std::sqrt(k / (1 + k)), period = 2 * pi / nu, dip = 2 * g / ((1 + k) * nu * nu),
                v = rate * (big - r);
   World w(with_small_slop(run.fine_config()));
-  add_gravity(w, run.with("gravity", g));
+  add_gravity(run, w);
   const Material rough = material(10);
   w.add({.shape = hollow_cylinder(Real(big), Real(20)), .material = rough, .motion = Motion::fixed});
   const Body ball = w.add({.shape = sphere(Real(r)),
@@ -49,7 +49,7 @@ void bowl(Run& run) {
     const double slower = rolls ? 7.0 / 5 : 1, l = big - r;
     const double period = 4 * std::sqrt(slower * l / g) * elliptic_k(square(std::sin(start / 2)));
     World w(with_small_slop(run.fine_config()));
-    add_gravity(w, run.with("gravity", g));
+    add_gravity(run, w);
     const Material m = material(rolls ? 10 : 0);
     w.add({.shape = hollow_sphere(Real(big)), .material = m, .motion = Motion::fixed});
     const Body ball = w.add(
@@ -83,7 +83,8 @@ std::vector<Case> bowls() {
        .parameters = {{"pipe", 0.5, 0.1, 10, "m"}, {"ball", 0.05, 0.005, 1, "m"}, {"rate", 8, 3, 50, "rad/s"}},
        .sets = {{"faster", {{"rate", 12}, {"ball", 0.1}}}},
        .run = pipe,
-       .without = "gravity",
+       .without = {"gravity", "impulses"},
+       .bite = {.substeps = 64},
        .sweep = "the dip",
        .order = 1},
       {.id = "V55",
@@ -94,7 +95,7 @@ std::vector<Case> bowls() {
        .parameters = {{"bowl", 1, 0.1, 10, "m"}, {"ball", 0.1, 0.01, 1, "m"}, {"from", 0.5, 0.01, 1.4, "rad"}},
        .sets = {{"farther", {{"from", 1}, {"ball", 0.2}}}},
        .run = bowl,
-       .without = "gravity"},
+       .without = {"gravity", "impulses"}},
   };
 }
 

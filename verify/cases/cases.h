@@ -9,6 +9,8 @@ std::vector<Case> free_bodies();
 std::vector<Case> rotations();
 std::vector<Case> pendulums();
 std::vector<Case> impacts();
+std::vector<Case> bounces();
+std::vector<Case> fast();
 std::vector<Case> friction();
 std::vector<Case> rolling();
 std::vector<Case> toppling();

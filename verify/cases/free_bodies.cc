@@ -14,7 +14,7 @@ namespace {
 void free_fall(Run& run) {
   const double g = standard_gravity, t = run["time"], y0 = run["height"];
   World w(run.config());
-  add_gravity(w, run.with("gravity", g));
+  add_gravity(run, w);
   const Body b = w.add({.shape = sphere(0.1), .at = {0, y0, 0}, .mass = Real(run["mass"])});
   Plot& plot = run.plot("Height", "t [s]", "y [m]");
   run.until(w, t, [&] {
@@ -35,7 +35,7 @@ void free_fall(Run& run) {
 void linear_drag(Run& run) {
   const double g = standard_gravity, k = run["drag"], t = run["time"], vx = run["vx"], vy = run["vy"];
   World w(run.config());
-  add_gravity(w, g);
+  add_gravity(run, w);
   if (!run.without("drag")) w.add(Drag{.linear = Real(k)});
   const Body b = w.add({.shape = sphere(0.1), .velocity = {Real(vx), Real(vy), 0}});
   const auto exact = [&](double s) {
@@ -67,7 +67,7 @@ void quadratic_drag(Run& run) {
   const double g = standard_gravity, vt = run["terminal speed"], up = run["upward"];
   const auto thrown = [&](const Vec3& velocity) {
     World w(run.fine_config());
-    add_gravity(w, g);
+    add_gravity(run, w);
     if (!run.without("drag")) w.add(Drag{.quadratic = Real(g / square(vt))});
     w.add({.shape = sphere(0.1), .velocity = velocity, .name = "ball"});
     return w;
@@ -180,7 +180,7 @@ std::vector<Case> free_bodies() {
        .parameters = {{"height", 10, 1, 1000, "m"}, {"mass", 1, 1e-3, 1e6, "kg"}, {"time", 2, 0.1, 20, "s"}},
        .sets = {{"4 kg", {{"mass", 4}}}, {"1 s", {{"time", 1}, {"height", 5}}}},
        .run = free_fall,
-       .without = "gravity",
+       .without = {"gravity"},
        .others = "Jolt, Bullet, PhysX 8.9e-6 m; Box3D 4.9e-5 m (float); MuJoCo 3e-14 m",
        .sweep = "the distance from the continuous law",
        .order = 1},
@@ -195,7 +195,8 @@ std::vector<Case> free_bodies() {
                       {"time", 2, 0.1, 20, "s"}},
        .sets = {{"thick air", {{"drag", 3}, {"vx", -20}}}},
        .run = linear_drag,
-       .without = "drag",
+       .without = {"drag", "gravity"},
+       .bite = {.values = {{"drag", 3}, {"vx", -20}}},
        .sweep = "the distance from the continuous law",
        .order = 1},
       {.id = "V03",
@@ -210,7 +211,7 @@ std::vector<Case> free_bodies() {
                       {"flight", 2, 0.5, 10, "s"}},
        .sets = {{"light ball", {{"terminal speed", 12}, {"fall", 2}}}},
        .run = quadratic_drag,
-       .without = "drag",
+       .without = {"drag", "gravity"},
        .sweep = "the distance from the continuous law",
        .order = 1},
       {.id = "V09",
@@ -221,7 +222,7 @@ std::vector<Case> free_bodies() {
        .parameters = {{"radius", 1, 0.3, 30, "AU"}, {"time factor", 1e6, 1e3, 1e7, "1"}, {"orbits", 100, 1, 1e4, "1"}},
        .sets = {{"Jupiter", {{"radius", 5.2}, {"time factor", 5e6}}}},
        .run = orbit,
-       .without = "gravity"},
+       .without = {"gravity"}},
       {.id = "V52",
        .title = "Harmonic oscillator",
        .group = "Free bodies",
@@ -230,7 +231,7 @@ std::vector<Case> free_bodies() {
        .parameters = {{"omega", 10, 0.1, 60, "rad/s"}, {"steps", 600, 10, 1e5, "1"}},
        .sets = {{"stiff", {{"omega", 40}, {"steps", 300}}}},
        .run = oscillator,
-       .without = "spring"},
+       .without = {"spring"}},
   };
 }
 

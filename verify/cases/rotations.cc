@@ -43,7 +43,15 @@ void dzhanibekov(Run& run) {
                         .mass = 1,
                         .inertia = Mat3::diagonal(inertia)});
   const FreeRotation exact = free_rotation(moments, start);
-  const double momentum = length(convert<double>(w[b].angular_momentum())), energy = w[b].kinetic_energy();
+  // From the spin, for the engine's own account of the momentum could not be wrong here: it is what it advances. A spin
+  // in single precision tells it to 1e-6, means over a second tell more.
+  const auto momentum = [&] {
+    const Vec3d spin = rotate_back(convert<double>(w[b].pose().q), convert<double>(w[b].spin()));
+    return length(Vec3d{moments[0] * spin.x, moments[1] * spin.y, moments[2] * spin.z});
+  };
+  const double momentum_before = momentum(), energy = w[b].kinetic_energy();
+  const auto second = std::lround(1 / w.config().dt);  // in steps
+  double momentum_sum = 0;
   double worst_momentum = 0, worst_energy = 0;
   Crossings zeros;
   Plot& plot = run.plot("Spin about the middle axis", "t [s]", "ω₂ [rad/s]");
@@ -52,8 +60,11 @@ void dzhanibekov(Run& run) {
     zeros.sample(w.time(), spin);
     plot.theory.emplace_back(w.time(), exact.amplitude * jacobi(exact.rate * w.time() + exact.phase, exact.m).sn);
     plot.simulation.emplace_back(w.time(), spin);
-    worst_momentum =
-        std::max(worst_momentum, std::fabs(length(convert<double>(w[b].angular_momentum())) / momentum - 1));
+    momentum_sum += momentum();
+    if (w.steps() % second == 0) {
+      worst_momentum = std::max(worst_momentum, std::fabs(momentum_sum / double(second) / momentum_before - 1));
+      momentum_sum = 0;
+    }
     worst_energy = std::max(worst_energy, std::fabs(w[b].kinetic_energy() / energy - 1));
   });
   const auto seen = [&](std::size_t n) { return zeros.moments().size() > n ? zeros.moments()[n] : std::nan(""); };
@@ -61,7 +72,6 @@ void dzhanibekov(Run& run) {
   run.check("third turn", "s", exact.zero(3), seen(2), 0.02);
   run.below("drift of |L|", "1", worst_momentum, 1e-6);
   run.below("drift of the energy", "1", worst_energy, 1e-5);
-  run.deviation(std::fabs(seen(2) - exact.zero(3)));
 }
 
 // V05. The axis of a symmetric free top goes round the angular momentum with the rate |L|/I₁.
@@ -112,7 +122,7 @@ void heavy_top(Run& run) {
   const double m = run["mass"], r = run["radius"], l = run["arm"], g = standard_gravity, w3 = run["spin"];
   const double i3 = m * r * r / 2, i1 = i3 / 2 + m * l * l, tilt = run["tilt"] * pi / 180;
   World w(run.fine_config());
-  add_gravity(w, run.with("gravity", g));
+  add_gravity(run, w);
   const Quat turn = axis_angle(Vec3{0, 0, -1}, Real(tilt));
   const Vec3 axis = rotate(turn, Vec3{0, 1, 0});
   const Body top = w.add({.shape = sphere(0.01),
@@ -152,7 +162,7 @@ void gyroscope(Run& run) {
   const double m = run["mass"], r = run["radius"], l = run["arm"], g = standard_gravity, spin = run["spin"];
   const double i3 = m * r * r, precession = m * g * l / (i3 * spin), t = run["time"];
   World w(run.config());
-  add_gravity(w, run.with("gravity", g));
+  add_gravity(run, w);
   const Body wheel = w.add({.shape = sphere(0.1),
                             .at = {l, 0, 0},
                             .velocity = {0, 0, Real(-precession * l)},
@@ -198,7 +208,7 @@ std::vector<Case> rotations() {
                       {"time", 60, 1, 1000, "s"}},
        .sets = {{"fast", {{"I3", 2.5}, {"w1", 0.3}, {"w2", 4}, {"w3", 0.1}, {"time", 20}}}},
        .run = dzhanibekov,
-       .without = "asymmetry",
+       .without = {"asymmetry"},
        .others =
            "60 s, turns (exact 8.813, 25.411, 42.008 s): MuJoCo 8.844/25.447/42.050, Rapier 8.822/25.366/41.862, Box3D "
            "8.805/25.539/42.305, Jolt 8.850/25.596/42.484; drift of |L|: PhysX 1.2e-5, Jolt 1.5e-4, Rapier 1.4e-3, "
@@ -216,7 +226,7 @@ std::vector<Case> rotations() {
                       {"time", 4, 0.1, 60, "s"}},
        .sets = {{"long", {{"I3", 1.2}, {"w1", 0.6}, {"w3", 3}}}},
        .run = symmetric_top,
-       .without = "asymmetry",
+       .without = {"asymmetry"},
        .sweep = "the angle between the axes",
        .order = 2},
       {.id = "V06",
@@ -231,7 +241,7 @@ std::vector<Case> rotations() {
                       {"spin", 150, 20, 1000, "rad/s"}},
        .sets = {{"60°", {{"tilt", 60}, {"spin", 200}}}},
        .run = heavy_top,
-       .without = "gravity"},
+       .without = {"gravity", "impulses"}},
       {.id = "V51",
        .title = "Gyroscope on a ball joint",
        .group = "Joints",
@@ -244,7 +254,7 @@ std::vector<Case> rotations() {
                       {"time", 10, 1, 100, "s"}},
        .sets = {{"slow", {{"spin", 40}}}},
        .run = gyroscope,
-       .without = "gravity",
+       .without = {"gravity", "impulses"},
        .others =
            "10 s: Box3D precession +0.5 %, drop 0.147 m, spin 49.4; MuJoCo −2.7 %, 0.206 m, 34.8; PhysX −12 %, Jolt "
            "−14 %, Rapier +26 %, PhysX TGS −45 %, Havok +73 %, Bullet +100 %"},

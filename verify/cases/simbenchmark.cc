@@ -26,7 +26,7 @@ void rolling_slab(Run& run) {
   const double taken = (force - friction) / m_slab / (3.5 / m_ball + n / m_slab);
   const double a_slab = (force - friction - n * taken) / m_slab, a_ball = taken / m_ball;
   World w(single_steps(run));
-  add_gravity(w, g);
+  add_gravity(run, w);
   add_ground(w, material(square(run.with("friction", 0.4))));  // mixed geometrically with the slab's 1
   const Body slab =
       w.add({.shape = box({20, 1, 20}), .at = {0, 0.5, 0}, .mass = Real(m_slab), .material = material(1)});
@@ -70,7 +70,7 @@ std::vector<Body> add_666(World& w, double bottom, const Material& m) {
 // B2. They fall and scatter without friction; how deep they lie in each other.
 void balls_666(Run& run) {
   World w(single_steps(run));
-  add_gravity(w, standard_gravity);
+  add_gravity(run, w);
   add_ground(w, material(0));
   const std::vector<Body> balls = add_666(w, 0.101, material(0));
   double sum = 0, steps = 0;
@@ -92,7 +92,7 @@ void balls_666(Run& run) {
 // B3. The same elastic, from 1 m: how well they keep their energy.
 void elastic_666(Run& run) {
   World w(single_steps(run));
-  add_gravity(w, standard_gravity);
+  add_gravity(run, w);
   const Material m = material(0, run.with("restitution", 1));
   add_ground(w, m);
   add_666(w, 1.101, m);
@@ -116,7 +116,7 @@ void kapla(Run& run) {
   c.impulse_2007.contact_passes = std::min(c.impulse_2007.contact_passes, int(run["passes"]));
   c.impulse_2007.collision_passes = std::min(c.impulse_2007.collision_passes, int(run["passes"]));
   World w(c);
-  add_gravity(w, standard_gravity);
+  add_gravity(run, w);
   const Material m = material(0.6);
   add_ground(w, m);
   Body top;
@@ -160,7 +160,7 @@ std::vector<Case> simbenchmark() {
        .parameters = {step(1e-3), {"force", 150, 140, 200, "N"}, {"direction", 60, 0, 360, "°"}, slop},
        .sets = {{"along an edge", {{"direction", 90}}}},
        .run = rolling_slab,
-       .without = "friction",
+       .without = {"friction"},
        .others = "published, 1 ms: Bullet 3.9e-27, RaiSim 4.1e-7, MuJoCo Newton 6.9e-3, ODE and DART 3.14 (a pyramid "
                  "for the cone); measured: Box3D "
                  "1.2e-6, Rapier 2.9e-6, Jolt 1.7e-4, PhysX 7e-4, Havok 0.29"},
@@ -172,7 +172,8 @@ std::vector<Case> simbenchmark() {
        .parameters = {step(1e-2), slop},
        .sets = {{"4 ms", {{"step", 4e-3}}}, {"1 ms", {{"step", 1e-3}}, Effort::full}},
        .run = balls_666,
-       .without = "impulses",
+       .without = {"impulses"},
+       .bite = {.values = {{"step", 4e-3}}},
        .effort = Effort::normal,
        .others =
            "10 ms, with stabilisation: PhysX TGS 2.2e-6, Havok 4.3e-6, Jolt 6.9e-6, PhysX PGS 1.6e-5, Rapier 1.7e-5, "
@@ -186,7 +187,7 @@ std::vector<Case> simbenchmark() {
        .parameters = {step(1e-3), slop},
        .sets = {{"4 ms", {{"step", 4e-3}}}},
        .run = elastic_666,
-       .without = "restitution",
+       .without = {"restitution"},
        .effort = Effort::normal,
        .others = "1 ms: published RaiSim 8.37, ODE 112, Bullet 4.1e4, DART 3.5e5; measured PhysX PGS 2.9e5, Jolt "
                  "5.4e5, Rapier 1.6e6, Box3D 3.7e7"},
@@ -198,7 +199,8 @@ std::vector<Case> simbenchmark() {
        .parameters = {step(1e-2), slop, {"passes", 80, 1, 80, "1"}, {"steps", 60000, 100, 60000, "1"}},
        .sets = {{"40 passes", {{"passes", 40}}}, {"10 passes", {{"passes", 10}}}},
        .run = kapla,
-       .without = "impulses",
+       .without = {"impulses"},
+       .bite = {.values = {{"steps", 200}}},
        .effort = Effort::full,
        .others = "steps survived with 10/40/100 iterations: RaiSim 25/89/263, Bullet with ERP 52/334/846, ODE with ERP "
                  "1104/5234/5990; MuJoCo at most 3297, DART 19"},

@@ -244,7 +244,7 @@ std::vector<Case> solids() {
        .parameters = {{"seed", 1, 0, 1e9, "1"}, {"points", 12, 4, 200, "1"}},
        .sets = {{"24 points", {{"seed", 2}, {"points", 24}}}, {"60 points", {{"seed", 3}, {"points", 60}}}},
        .run = random_hull,
-       .without = "all coordinates",
+       .without = {"all coordinates"},
        .uses_solver = false},
       {.id = "V38",
        .title = "Mass of 23 solids",
@@ -254,7 +254,7 @@ std::vector<Case> solids() {
        .parameters = {{"size", 1, 0.01, 100, "m"}, {"radius", 0.5, 0.1, 0.7, "sizes"}},
        .sets = {{"large", {{"size", 3}, {"radius", 0.3}}}},
        .run = mass_of_solids,
-       .without = "the right size",
+       .without = {"the right size"},
        .uses_solver = false},
   };
 }

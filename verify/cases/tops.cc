@@ -18,7 +18,7 @@ void euler_disc(Run& run) {
   Config c = run.config();
   c.impulse_2007.slop = Real(thick / 10);
   World w(c);
-  add_gravity(w, run.with("gravity", standard_gravity));
+  add_gravity(run, w);
   const Material rough = material(10);
   add_ground(w, rough);
   const Vec3d diameter{std::cos(alpha), std::sin(alpha), 0};
@@ -77,7 +77,7 @@ void rattleback(Run& run) {
     Config c = run.fine_config();
     c.impulse_2007.slop = Real(1e-5);
     World w(c);
-    add_gravity(w, run.with("gravity", law.g));
+    add_gravity(run, w);
     const Material rough = material(10);
     add_ground(w, rough);
     const Vec3d u = rotate_back(convert<double>(turn), Vec3d{0, -1, 0}), omega = u * -spin;
@@ -142,7 +142,7 @@ void tippe_top(Run& run) {
   Config config = run.fine_config();
   config.impulse_2007.slop = Real(r / 1000);
   World w(config);
-  add_gravity(w, standard_gravity);
+  add_gravity(run, w);
   const Material rubber = material(run.with("friction", law.friction));
   add_ground(w, rubber);
   const Quat turn = axis_angle(Vec3{0, 0, 1}, Real(tilt));
@@ -191,7 +191,8 @@ std::vector<Case> tops() {
        .parameters = {{"radius", 0.0376, 0.01, 10, "m"}, {"tilt", 20, 2, 60, "°"}},
        .sets = {{"steeper", {{"tilt", 35}, {"radius", 0.1}}}},
        .run = euler_disc,
-       .without = "gravity",
+       .without = {"gravity", "impulses"},
+       .bite = {.substeps = 512},
        .sweep = "the change of the inclination",
        .order = 1,
        .sweep_from = 32},
@@ -209,7 +210,8 @@ std::vector<Case> tops() {
                       {"time", 6, 1, 30, "s"}},
        .sets = {{"slower", {{"spin", 4}}}},
        .run = rattleback,
-       .without = "gravity"},
+       .without = {"gravity", "impulses"},
+       .bite = {.substeps = 64}},
       {.id = "V33",
        .title = "Tippe top",
        .group = "Rolling",
@@ -222,7 +224,8 @@ std::vector<Case> tops() {
                       {"spin", 300, 10, 1000, "rad/s"}},
        .sets = {{"slow", {{"spin", 150}}}},
        .run = tippe_top,
-       .without = "friction"},
+       .without = {"friction", "gravity"},
+       .bite = {.substeps = 8}},
   };
 }
 
