@@ -41,6 +41,7 @@ struct ParameterSet {
   const char* name;
   Values values;                  // what differs from the defaults
   Effort effort = Effort::quick;  // from which on it is run
+  bool sweeps = true;             // false: rounding hides the order
 };
 
 // One compared number. It passes when it is within the tolerance, which has the quantity's unit; what shows a wrong

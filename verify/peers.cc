@@ -6,16 +6,15 @@ namespace sudar::verify {
 
 namespace {
 
-template <class... A>
-std::string format(const char* pattern, A... a) {
+std::string format(const char* pattern, double value) {
   char text[64];
-  std::snprintf(text, sizeof text, pattern, a...);
-  return text;
+  std::snprintf(text, sizeof text, pattern, value);
+  return text[0] == '-' ? "−" + std::string(text + 1) : text;
 }
 std::string plain(const Quantity& q) { return format("%#.6g", q.got); }
 std::string percent(const Quantity& q) { return format("%+.3f %%", q.got); }
 std::string deviation(const Quantity& q) { return format("%+.2f %%", 100 * (q.got / q.exact - 1)); }
-std::string millimetres(const Quantity& q) { return format("%.2f mm", 1000 * q.got); }
+std::string millimetres(const Quantity& q) { return format("%.3f mm", 1000 * q.got); }
 
 }
 

@@ -83,8 +83,12 @@ std::vector<Result> plan(const Options& o) {
     for (const ParameterSet& set : sets) {
       if (set.effort > o.effort) continue;
       for (const char* without : taken) {
-        const Result r{
-            .of = c, .set = set.name, .parameters = values_of(*c, set.values), .solver = {}, .without = without};
+        const Result r{.of = c,
+                       .set = set.name,
+                       .parameters = values_of(*c, set.values),
+                       .solver = {},
+                       .without = without,
+                       .sweeps = set.sweeps};
         if (!c->uses_solver) results.push_back(r);
         for (std::size_t s = 0; c->uses_solver && s < o.solvers.size(); ++s)
           results.push_back(r), results.back().solver = o.solvers[s];
@@ -122,7 +126,7 @@ void run_one(const Options& o, Result& r) {
     r.quantities = run.quantities();
     r.plots = run.plots();
     if (!run.picture().empty()) r.picture = run.picture().svg();
-    if (*c.sweep != 0 && o.effort != Effort::quick && !o.bites) measure_order(c, r, setting);
+    if (*c.sweep != 0 && r.sweeps && o.effort != Effort::quick && !o.bites) measure_order(c, r, setting);
   } catch (const std::exception& e) { r.failure = e.what(); }
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

@@ -17,6 +17,7 @@ struct Result {
   Values parameters;
   std::optional<Solver> solver;  // none: the case is geometry
   std::string_view without{};    // what was taken away
+  bool sweeps = true;            // whether it measures the order
   std::vector<Quantity> quantities{};
   std::deque<Plot> plots{};
   std::string picture{};                           // SVG

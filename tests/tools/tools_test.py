@@ -12,6 +12,7 @@ import layers
 import pictures
 import scene_pages
 import state_index
+import verification_page
 
 GOOD = {
     "CMakeLists.txt": "add_subdirectory(src/base)\nadd_subdirectory(src/math)\n",
@@ -173,6 +174,33 @@ class Globals(unittest.TestCase):
                 result = self.complaint(code)
                 self.assertEqual(result.returncode, 1)
                 self.assertIn("n", result.stdout)
+
+
+
+class VerificationPage(unittest.TestCase):
+    INDEX = """<tr class="ours"><td>Sudar</td><td>2.400</td><td>−0.1 %</td></tr>
+<tr><td><a href="V01.html">V01 Fall</a></td><td class="n">0.1</td><td class="good">✓ passes</td></tr>
+<tr><td><a href="V37.html">V37 Hulls</a></td><td class="n">0.1</td><td class="good">✓ passes</td></tr>
+<tr><td><a href="V42.html">V42 Fast</a></td><td class="n">–</td><td class="bad">✗ fails</td></tr>
+<tr><td><a href="B2.html">B2 666</a></td><td class="n">2</td><td class="bad">✗ fails</td></tr>
+"""
+    PAGE = """2 of 3 cases pass, 1 of the 2 that have a solver; 1 fail. Measured
+| V42 fast bodies | exact | got | why |
+| B2 666 | exact | got | why |
+| **Sudar, impulse_2007, 60/4** | 2.400 | −0.1 % |
+"""
+
+    def test_accepts_what_agrees(self):
+        self.assertEqual(verification_page.compare(self.PAGE, self.INDEX), (self.PAGE, []))
+
+    def test_row_and_numbers_are_put_right(self):
+        stale = self.PAGE.replace("2.400", "2.600").replace("2 of 3", "3 of 3")
+        self.assertEqual(verification_page.compare(stale, self.INDEX)[0], self.PAGE)
+
+    def test_failure_without_explanation(self):
+        page = self.PAGE.replace("| B2 666 |", "| V01 fall |")
+        self.assertEqual(verification_page.compare(page, self.INDEX)[1],
+                         ["B2 fails and is not explained", "V01 is explained and passes"])
 
 
 if __name__ == "__main__":

@@ -139,6 +139,7 @@ void spring_servo(Run& run) {
     plot.simulation.emplace_back(w.time(), double(w[j].coordinate()));
   });
   run.check("angle, by the recursion", "rad", angle, double(w[j].coordinate()), 1e-5);
+  run.deviation(std::fabs(exact(w.time()) - double(w[j].coordinate())));
   run.relative("angle, of the oscillator", "rad", exact(w.time()), double(w[j].coordinate()), 0.02);
 }
 
@@ -196,7 +197,9 @@ std::vector<Case> chains() {
        .sets = {{"weak", {{"stiffness", 10}, {"damping", 1}}}},
        .run = spring_servo,
        .without = {"impulses"},
-       .others = "Jolt's tests repeat the implicit recursion"},
+       .others = "Jolt's tests repeat the implicit recursion",
+       .sweep = "the angle of the oscillator",
+       .order = 1},
       {.id = "V44",
        .title = "Weight on a chain",
        .group = "Joints",

@@ -143,6 +143,7 @@ void spinning_plate(Run& run) {
   run.relative("time to rest", "s", stop.t, rest, 0.05);
   run.relative("way along", "m", stop.y[0], w[plate].center().x, 0.05);
   run.relative("turn", "rad", stop.y[2], turn, 0.05);
+  run.deviation(std::hypot(stop.y[0] - w[plate].center().x, stop.y[1] - w[plate].center().z));
   run.relative("way across", "m", stop.y[1], w[plate].center().z, 0.05);
 }
 
@@ -243,8 +244,9 @@ std::vector<Case> friction() {
        .sets = {{"slower spin", {{"spin", 4}}}},
        .run = spinning_plate,
        .without = {"friction", "gravity"},
-       .others =
-           "way (1.383 m): Bullet 1.395, MuJoCo 1.349, PhysX 1.161, Havok 1.619; Box3D, Rapier, Jolt 0.37 … 0.38"},
+       .others = "way (1.383 m): Bullet 1.395, MuJoCo 1.349, PhysX 1.161, Havok 1.619; Box3D, Rapier, Jolt 0.37 … 0.38",
+       .sweep = "the place at rest",
+       .order = 1},
       {.id = "V35",
        .title = "Sideways on an incline",
        .group = "Friction",

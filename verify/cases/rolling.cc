@@ -103,6 +103,7 @@ void resistance(Run& run) {
   run.until(w, 1.1 * v / a, [&] {
     if (std::isnan(rest) && double(w[ball].velocity().x) < 1e-3 * v) rest = w.time();
   });
+  run.deviation(std::fabs(w[ball].center().x - v * v / (2 * a)));
   run.relative("rolling: way to rest", "m", v * v / (2 * a), w[ball].center().x, 0.02);
   run.relative("rolling: time to rest", "s", v / a, rest, 0.02);
 
@@ -252,7 +253,9 @@ std::vector<Case> rolling() {
        .sets = {{"rougher", {{"rolling", 0.005}, {"spinning", 0.001}, {"friction", 0.6}}}},
        .run = resistance,
        .without = {"resistance", "friction", "gravity"},
-       .others = "cube: Box3D 0.8167 s, 3.92 rad (exact 0.8009, 4.004)"},
+       .others = "cube: Box3D 0.8167 s, 3.92 rad (exact 0.8009, 4.004)",
+       .sweep = "the way that a ball rolls",
+       .order = 1},
       {.id = "V53",
        .title = "Ball on a turntable",
        .group = "Rolling",
