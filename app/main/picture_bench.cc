@@ -1,13 +1,12 @@
 #include "main/picture_bench.h"
 
-#include <sudar/world.h>
-
 #include <atomic>
 #include <chrono>
 #include <ctime>
 #include <functional>
 #include <thread>
 
+#include "bench/heap.h"
 #include "bench/meter.h"
 #include "main/priority.h"
 #include "view/offscreen.h"
@@ -22,23 +21,6 @@ using Clock = std::chrono::steady_clock;
 
 double milliseconds(Clock::time_point since) {
   return std::chrono::duration<double, std::milli>(Clock::now() - since).count();
-}
-
-// A heap that falls and spreads: every body moves, none is hidden for good.
-World make_heap(int bodies) {
-  Config config;
-  config.dt = 0.01, config.substeps = 1, config.sleep = false;
-  config.impulse_2007.collision_passes = config.impulse_2007.contact_passes = 5;
-  World w(config);
-  w.add(Gravity{});
-  w.add({.shape = half_space(), .motion = Motion::fixed});
-  const Shape cube = box({1, 1, 1}), ball = sphere(0.5);
-  constexpr int columns = 20;
-  for (int i = 0; i < bodies; ++i) {
-    const int x = i % columns, z = i / columns % columns, y = i / (columns * columns);
-    w.add({.shape = i % 4 == 3 ? ball : cube, .at = {1.3 * x + 0.1 * (y % 3), 1 + 1.2 * y, 1.3 * z + 0.1 * (y % 2)}});
-  }
-  return w;
 }
 
 // Pictures one after the other from a camera on the move, until `over`.
@@ -87,7 +69,8 @@ StepCost step_world(World& w, int steps) {
 
 PictureCost measure_pictures(int bodies, int width, int height) {
   constexpr int pictures = 20, steps = 60;
-  World w = make_heap(bodies);
+  World w(heap_config());
+  add_heap(w, bodies);
   for (int i = 0; i < 100; ++i) w.step();
   PictureCost cost;
   cost.width = width, cost.height = height, cost.bodies = w.bodies().size() - 1;

@@ -71,7 +71,7 @@ FrameBlock make_frame(const Scene& scene, const Focus& focus, const Camera& came
   f.sun_projection = sun_projection(casters(scene, focus, camera.eye, light), camera.eye, light, shadow_size, texel);
   f.sun = with_w(towards_sun, texel);
   f.scale = {near, far, 7 * distance, 0.16f * float(focus.radius)};
-  f.zoom = {1 / slope_x, 1 / slope_y, 0, 0};
+  f.zoom = {1 / slope_x, 1 / slope_y, 1 / float(shadow_size), 0};
   return f;
 }
 

@@ -1,5 +1,6 @@
 #include "view/instances.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace sudar::view {
@@ -61,6 +62,9 @@ void Instances::place(const std::vector<std::vector<GpuInstance>>& copies_of_mes
     if (!copies.empty()) batches_.push_back({mesh, all.size(), copies.size()});
     all.insert(all.end(), copies.begin(), copies.end());
   }
+  const auto nearest = [&](const Batch& b) { return length_squared(all[b.first].position); };
+  std::stable_sort(batches_.begin(), batches_.end(),
+                   [&](const Batch& a, const Batch& b) { return nearest(a) < nearest(b); });
   glBindBuffer(GL_ARRAY_BUFFER, instances_);
   glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(all.size() * sizeof(GpuInstance)), all.data(), GL_STREAM_DRAW);
 }

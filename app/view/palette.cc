@@ -1,5 +1,6 @@
 #include "view/palette.h"
 
+#include <array>
 #include <cmath>
 #include <iterator>
 
@@ -51,14 +52,32 @@ Vec3f linear_colour(std::uint32_t srgb) {
   return {linear_channel(srgb >> 16 & 255), linear_channel(srgb >> 8 & 255), linear_channel(srgb & 255)};
 }
 
-Vec3f body_colour(std::uint32_t shape_number, std::uint32_t body_number) {
-  const Gradient& g = gradients[shape_number % std::size(gradients)];
-  const std::uint32_t phase = body_number % (2 * gradient_length);
-  const std::uint32_t way = phase < gradient_length ? phase : 2 * gradient_length - phase;
+namespace {
+
+constexpr std::uint32_t period = 2 * gradient_length;  // of the colours of one gradient: there and back
+
+Vec3f on_gradient(const Gradient& g, std::uint32_t phase) {
+  const std::uint32_t way = phase < gradient_length ? phase : period - phase;
   const float t = float(way) / float(gradient_length);
   Vec3f lab = to_oklab(linear_colour(g.from)) * (1 - t) + to_oklab(linear_colour(g.to)) * t;
-  lab.x += body_number % 2 == 0 ? 0.012f : -0.012f;  // neighbours differ a little in lightness, too
+  lab.x += phase % 2 == 0 ? 0.012f : -0.012f;  // neighbours differ a little in lightness, too
   return from_oklab(lab);
+}
+
+using Colours = std::array<std::array<Vec3f, period>, std::size(gradients)>;
+Colours all_colours() {
+  Colours all;
+  for (std::size_t g = 0; g < all.size(); ++g) {
+    for (std::uint32_t phase = 0; phase < period; ++phase) all[g][phase] = on_gradient(gradients[g], phase);
+  }
+  return all;
+}
+
+}
+
+Vec3f body_colour(std::uint32_t shape_number, std::uint32_t body_number) {
+  static const Colours colours = all_colours();  // asked for every body of every moment
+  return colours[shape_number % std::size(gradients)][body_number % period];
 }
 
 Vec3f scale_colour(float share) {

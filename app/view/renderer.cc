@@ -91,9 +91,20 @@ struct Renderer::Impl {
   std::optional<ShadowMap> shadow_map;
 
   Impl() {
-    const gl::Program* const all[] = {&fine.body,  &fine.mark,  &fine.sky,  &fine.ground.program(),
-                                      &plain.body, &plain.mark, &plain.sky, &plain.ground.program(),
-                                      &shadow,     &id,         &occlusion, &resolve};
+    const gl::Program* const all[] = {&fine.body,
+                                      &fine.mark,
+                                      &fine.sky,
+                                      &fine.ground.floors(),
+                                      &fine.ground.walls(),
+                                      &plain.body,
+                                      &plain.mark,
+                                      &plain.sky,
+                                      &plain.ground.floors(),
+                                      &plain.ground.walls(),
+                                      &shadow,
+                                      &id,
+                                      &occlusion,
+                                      &resolve};
     for (const gl::Program* p : all) {
       p->bind_block("Frame", frame_binding);
       p->use();

@@ -15,9 +15,9 @@ uniform bool from_sun;
 out vec3 at;
 out vec3 face_normal;
 out vec3 rounded_normal;
-out vec2 edge_tone;
-flat out vec3 colour;
-flat out vec2 contrast_gloss;
+out float from_edge;
+flat out vec3 albedo;
+flat out float gloss;
 flat out uint id;
 
 vec3 turned(vec4 q, vec3 v) {
@@ -29,9 +29,10 @@ void main() {
   at = instance_position + turned(instance_turn, instance_scale * position);
   face_normal = turned(instance_turn, normal / instance_scale);
   rounded_normal = turned(instance_turn, edge_normal / instance_scale);
-  edge_tone = edge_and_tone;
-  colour = instance_colour;
-  contrast_gloss = instance_contrast_and_gloss;
+  from_edge = edge_and_tone.x;
+  const vec3 second = vec3(0.86, 0.84, 0.80);  // tone, in full contrast
+  albedo = mix(instance_colour, second, instance_contrast_and_gloss.x * edge_and_tone.y);
+  gloss = instance_contrast_and_gloss.y;
   id = instance_id;
   gl_Position = (from_sun ? sun_projection : view_projection) * vec4(at, 1.0);
 }

@@ -5,5 +5,5 @@ layout(std140) uniform Frame {
   mat4 sun_projection;   // → the shadow map, −1…1
   vec4 sun;              // xyz: unit vector towards the sun; w: size of a texel of the shadow map, m
   vec4 scale;            // near plane, far plane, distance at which the ground has faded into the horizon, radius of ambient occlusion; m
-  vec4 zoom;             // xy: 1 / tangent of half the picture's angle across and up
+  vec4 zoom;             // xy: 1 / tangent of half the picture's angle across and up; z: 1 / texels along the shadow map's edge
 };

@@ -25,11 +25,11 @@ SIDE = 300                                         # width of the panel at the l
 class Screen:
     """A virtual screen of its own; X chooses a free number for it, and keeps its pixels in a file."""
 
-    def __init__(self):
+    def __init__(self, size="1000x700x24"):
         self.folder = tempfile.TemporaryDirectory()
         read, write = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1000x700x24", "-nolisten", "tcp",
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", size, "-nolisten", "tcp",
              "-fbdir", self.folder.name], pass_fds=[write], stderr=subprocess.DEVNULL)
         os.close(write)
         with os.fdopen(read) as numbers:
