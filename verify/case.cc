@@ -46,14 +46,18 @@ Config Run::fine_config() const {
 }
 
 void Run::until(World& w, double seconds, const std::function<void()>& visit) {
-  const bool draw = setting_.pictures && picture_.empty();
-  if (draw) picture_.add(w);
+  const bool draws = picture_.moments() == 0;
+  if (draws) draw(w);
   const double half_step = w.config().dt * double(w.config().time_factor) / 2;
   while (w.time() < seconds - half_step) {
     w.step();
     visit();
   }
-  if (draw) picture_.add(w);
+  if (draws) draw(w);
+}
+
+void Run::draw(const World& w) {
+  if (setting_.pictures && picture_.moments() < 2) picture_.add(w);
 }
 
 void Run::check(std::string name, std::string unit, double exact, double got, double tolerance) {

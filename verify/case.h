@@ -106,8 +106,8 @@ class Run {
   bool without(std::string_view what) const { return setting_.without == what; }
   double with(std::string_view what, double value) const { return without(what) ? 0 : value; }
 
-  // 60 Hz × 4 sub-steps, no sleeping, the chosen solver; without("impulses") it makes no passes, without("contact areas")
-  // a contact is a point.
+  // 60 Hz × 4 sub-steps, no sleeping, the chosen solver; without("impulses") it makes no passes, without("contact
+  // areas") a contact is a point.
   Config config() const;
   // The same sub-steps, each a step of its own: for what must be seen more often.
   Config fine_config() const;
@@ -115,6 +115,8 @@ class Run {
   // Steps until the world's time has come to `seconds`, and visits after each step.
   void until(
       World& w, double seconds, const std::function<void()>& visit = [] {});
+  // Into the report's picture, before and after; until() does it where nothing is drawn yet.
+  void draw(const World& w);
 
   void check(std::string name, std::string unit, double exact, double got, double tolerance);
   // The same with a tolerance that is a share of the exact value.

@@ -118,65 +118,112 @@ void Picture::add(const World& w) {
     }
   }
   for (const Joint j : w.joints()) {
-    const Pos p = w[j].anchor_b();
-    m.joints.push_back({view.x({p.x, p.y, p.z}), view.y({p.x, p.y, p.z})});
+    std::vector<Pos> way{w[j].anchor_a(), w[j].anchor_b()};
+    if (const Pulley* p = std::get_if<Pulley>(&w[j].definition())) way.insert(way.begin() + 1, {p->over_a, p->over_b});
+    std::vector<Point>& seen = m.joints.emplace_back();
+    for (const Pos& p : way) seen.push_back({view.x({p.x, p.y, p.z}), view.y({p.x, p.y, p.z})});
   }
   std::stable_sort(m.items.begin(), m.items.end(),
                    [](const Item& a, const Item& b) { return a.fixed != b.fixed ? a.fixed : a.depth > b.depth; });
 }
 
-std::string Picture::svg() const {
+struct Picture::Frame {
+  static constexpr double width = 480, height = 260;  // of the paper
   double low_x = 1e300, high_x = -1e300, low_y = 1e300, high_y = -1e300;
+  void include(const Point& p) {
+    low_x = std::min(low_x, p.x), high_x = std::max(high_x, p.x);
+    low_y = std::min(low_y, p.y), high_y = std::max(high_y, p.y);
+  }
+  bool sensible() const { return high_x - low_x >= 0 && high_x - low_x < 1e5 && high_y - low_y < 1e5; }
+  double size() const { return std::max({high_x - low_x, (high_y - low_y) * width / height, 1e-6}) * 1.15; }
+  Point place(const Point& p) const {
+    const double scale = width / size();
+    return {width / 2 + (p.x - (low_x + high_x) / 2) * scale, height / 2 + (p.y - (low_y + high_y) / 2) * scale};
+  }
+  std::string places(const std::vector<Point>& points) const {
+    std::string all;
+    for (const Point& p : points) {
+      char text[64];
+      std::snprintf(text, sizeof text, "%.1f,%.1f ", place(p).x, place(p).y);
+      all += text;
+    }
+    return all;
+  }
+  std::string circle(const Point& at, const std::string& style) const {
+    char text[64];
+    std::snprintf(text, sizeof text, " r=\"3\" cx=\"%.1f\" cy=\"%.1f\"/>\n", place(at).x, place(at).y);
+    return "<circle " + style + text;
+  }
+};
+
+// All that moves, and what is fixed as far as that does not make it small.
+Picture::Frame Picture::frame() const {
+  Frame moving;
   for (const Moment& m : moments_) {
     for (const Item& i : m.items) {
       for (const Patch& p : i.patches) {
         for (const Point& q : p.outline) {
-          if (i.fixed) continue;
-          low_x = std::min(low_x, q.x), high_x = std::max(high_x, q.x), low_y = std::min(low_y, q.y),
-          high_y = std::max(high_y, q.y);
+          if (!i.fixed) moving.include(q);
         }
       }
     }
-  }
-  if (!(high_x - low_x >= 0 && high_x - low_x < 1e5 && high_y - low_y < 1e5)) return "";
-  constexpr double width = 480, height = 260;
-  const double size = std::max({high_x - low_x, (high_y - low_y) * width / height, 1e-6}) * 1.15;
-  const double scale = width / size, x0 = (low_x + high_x - size) / 2,
-               y0 = (low_y + high_y - size * height / width) / 2;
-  char text[128];
-  const auto polygon = [&](const std::vector<Point>& outline, const std::string& style) {
-    std::string path;
-    for (const Point& q : outline) {
-      std::snprintf(text, sizeof text, "%.1f,%.1f ", (q.x - x0) * scale, (q.y - y0) * scale);
-      path += text;
+    for (const std::vector<Point>& j : m.joints) {
+      for (const Point& q : j) moving.include(q);
     }
-    return "<polygon " + style + " points=\"" + path + "\"/>\n";
-  };
-  std::snprintf(text, sizeof text, "<svg class=\"scene\" viewBox=\"0 0 %.0f %.0f\" role=\"img\">\n", width, height);
+  }
+  Frame all = moving;
+  const double more = moving.size() / 2;
+  for (const Item& i : moments_.front().items) {
+    for (const Patch& p : i.patches) {
+      for (const Point& q : p.outline) {
+        if (i.fixed)
+          all.include({std::clamp(q.x, moving.low_x - more, moving.high_x + more),
+                       std::clamp(q.y, moving.low_y - more, moving.high_y + more)});
+      }
+    }
+  }
+  return all;
+}
+
+std::string Picture::draw(const Item& item, const Frame& frame) {
+  std::string s;
+  Frame extent;
+  for (const Patch& p : item.patches) {
+    const std::string fill = "fill=\"" + item.colour + " " + std::to_string(int(30 + 40 * p.light)) + "%)\"";
+    s += "<polygon " + fill + " points=\"" + frame.places(p.outline) + "\"/>\n";
+    for (const Point& q : p.outline) extent.include(q);
+  }
+  // What is too small to be seen is a dot.
+  const double most = std::max(extent.high_x - extent.low_x, extent.high_y - extent.low_y);
+  if (item.fixed || item.patches.empty() || most > 0.012 * frame.size()) return s;
+  return frame.circle({(extent.low_x + extent.high_x) / 2, (extent.low_y + extent.high_y) / 2},
+                      "fill=\"" + item.colour + " 50%)\"");
+}
+
+std::string Picture::svg() const {
+  const Frame seen = frame();
+  if (!seen.sensible()) return "";
+  char text[128];
+  std::snprintf(text, sizeof text, "<svg class=\"scene\" viewBox=\"0 0 %.0f %.0f\" role=\"img\">\n", Frame::width,
+                Frame::height);
   std::string s = text;
   // Planes seen nearly from the side or from behind would only hide what is there.
   const Vec3d middle = moments_.front().middle;
   for (const Floor& f : moments_.front().floors) {
     const Vec3d normal = cross(f.across, f.along);
     if (normal.y < 0.3) continue;
-    const Vec3d at = middle - normal * dot(middle - f.at, normal), a = f.along * (size * 0.48),
-                b = f.across * (size * 0.35);
+    const Vec3d at = middle - normal * dot(middle - f.at, normal), a = f.along * (seen.size() * 0.48),
+                b = f.across * (seen.size() * 0.35);
     std::vector<Point> corners;
     for (const Vec3d& c : {at - a - b, at + a - b, at + a + b, at - a + b}) corners.push_back({view.x(c), view.y(c)});
-    s += polygon(corners, "class=\"floor\"");
+    s += "<polygon class=\"floor\" points=\"" + seen.places(corners) + "\"/>\n";
   }
   for (const Moment& m : moments_) {
     s += &m == &moments_.back() ? "<g>\n" : "<g class=\"before\">\n";
-    for (const Item& i : m.items) {
-      for (const Patch& p : i.patches) {
-        std::snprintf(text, sizeof text, " %.0f%%)\"", 30 + 40 * p.light);
-        s += polygon(p.outline, "fill=\"" + i.colour + text);
-      }
-    }
-    for (const Point& j : m.joints) {
-      std::snprintf(text, sizeof text, "<circle class=\"joint\" r=\"3\" cx=\"%.1f\" cy=\"%.1f\"/>\n",
-                    (j.x - x0) * scale, (j.y - y0) * scale);
-      s += text;
+    for (const Item& i : m.items) s += draw(i, seen);
+    for (const std::vector<Point>& j : m.joints) {
+      s += "<polyline class=\"joint\" points=\"" + seen.places(j) + "\"/>\n";
+      s += seen.circle(j.back(), "class=\"joint\"");
     }
     s += "</g>\n";
   }

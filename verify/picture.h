@@ -1,6 +1,5 @@
 // A world as an SVG picture without OpenGL: parallel projection, bodies as the outlines of their faces, the nearer over
-// the farther. Enough to see what a case is about. Several
-// moments may be drawn into one picture, the earlier ones faint.
+// the farther. Enough to see what a case is about. Several moments may be drawn into one picture, the earlier ones faint.
 #pragma once
 
 #include <sudar/world.h>
@@ -12,7 +11,7 @@ namespace sudar::verify {
 class Picture {
  public:
   void add(const World&);
-  bool empty() const { return moments_.empty(); }
+  std::size_t moments() const { return moments_.size(); }
   std::string svg() const;
 
  private:
@@ -35,9 +34,12 @@ class Picture {
   struct Moment {
     std::vector<Item> items;
     std::vector<Floor> floors;
-    std::vector<Point> joints;
+    std::vector<std::vector<Point>> joints;  // from one end by way of the pulleys to the other
     Vec3d middle;  // of the bodies that move
   };
+  struct Frame;  // what part of the plane is seen, and where on the paper
+  Frame frame() const;
+  static std::string draw(const Item&, const Frame&);
   static std::vector<Point> outline_of(std::vector<Point>);
   static Item draw_body(const BodyView&, std::size_t number);
   std::vector<Moment> moments_;

@@ -43,7 +43,8 @@ figure { margin: 0; background: var(--card); border: 1px solid var(--rule); bord
 svg { display: block; width: 100%; height: auto; } svg text { font: 12px system-ui, sans-serif; fill: var(--faint); }
 svg .name { fill: var(--ink); } svg .grid { stroke: var(--rule); } svg .axis { fill: none; stroke: var(--faint); }
 svg .theory { fill: none; stroke: var(--theory); stroke-width: 2.2; } svg .dots { fill: var(--dots); fill-opacity: .8; }
-svg.scene .before { opacity: .3; } svg.scene .floor { fill: var(--rule); stroke: none; } svg.scene .joint { fill: var(--theory); }
+svg.scene .before { opacity: .3; } svg.scene .floor { fill: var(--rule); stroke: none; } svg.scene circle.joint { fill: var(--theory); }
+svg.scene polyline.joint { fill: none; stroke: var(--theory); stroke-width: 1.6; }
 svg.scene polygon { stroke: rgb(0 0 0 / .45); stroke-width: .6; stroke-linejoin: round; }
 .key i { display: inline-block; width: 1.4em; height: .22em; margin: 0 .35em .2em .9em; background: var(--theory); }
 .key i.s { width: .55em; height: .55em; border-radius: 50%; background: var(--dots); margin-bottom: 0; }
@@ -168,8 +169,7 @@ std::string index_page(const std::vector<Group>& groups, const std::vector<Resul
   const int failed = t.cases - t.passed;
   std::string s = "<h1>How right is Sudar?</h1>\n<p class=\"faint\">" + escaped(engine) + "</p>\n";
   s += "<div class=\"counts\"><span class=\"good\"><b>" + std::to_string(t.passed) +
-       "</b>pass</span><span class=\"bad\"><b>" + std::to_string(failed) +
-       "</b>fail</span></div>\n<div class=\"bar\">";
+       "</b>pass</span><span class=\"bad\"><b>" + std::to_string(failed) + "</b>fail</span></div>\n<div class=\"bar\">";
   const auto part = [&](const char* name, int n) {
     s += std::string("<i class=\"") + name + "\" style=\"width:" + number(100.0 * n / std::max(1, t.cases), "%.2f") +
          "%\"></i>";

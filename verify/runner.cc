@@ -125,7 +125,7 @@ void run_one(const Options& o, Result& r) {
     c.run(run);
     r.quantities = run.quantities();
     r.plots = run.plots();
-    if (!run.picture().empty()) r.picture = run.picture().svg();
+    if (run.picture().moments() > 0) r.picture = run.picture().svg();
     if (*c.sweep != 0 && r.sweeps && o.effort != Effort::quick && !o.bites) measure_order(c, r, setting);
   } catch (const std::exception& e) { r.failure = e.what(); }
   r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -32,9 +32,9 @@ struct Options {
   Effort effort = Effort::normal;
   Values set{};  // instead of the cases' own sets: their defaults with these
   std::vector<Solver> solvers{Solver::impulse_2007};
-  unsigned jobs = 0;           // 0: as many as the processor has
-  bool pictures = false;       // for the report
-  bool bites = false;          // instead: each case with its bite, as it is and with each part of its physics taken away
+  unsigned jobs = 0;      // 0: as many as the processor has
+  bool pictures = false;  // for the report
+  bool bites = false;     // instead: each case with its bite, as it is and with each part of its physics taken away
 };
 
 // How many cases pass: a case does when it does so with every set of parameters and every solver. The catalogue's are

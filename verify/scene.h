@@ -26,6 +26,13 @@ inline Config with_small_slop(Config c) {
   return c;
 }
 
+// A picture of what only has a shape.
+inline void show(Run& run, const std::vector<BodyDef>& bodies) {
+  World w;
+  for (const BodyDef& def : bodies) w.add(def);
+  run.draw(w);
+}
+
 // The tolerance in single or in double precision.
 inline constexpr double by_precision(double single, double twice) { return sizeof(Real) == 4 ? single : twice; }
 

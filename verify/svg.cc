@@ -8,7 +8,7 @@ namespace sudar::verify {
 
 namespace {
 
-constexpr double width = 640, height = 320, left = 70, right = 16, top = 14, bottom = 44;
+constexpr double width = 640, height = 320, left = 84, right = 16, top = 14, bottom = 44;
 
 template <class... A>
 std::string format(const char* pattern, A... a) {
@@ -52,7 +52,7 @@ std::string line(const Axis& x, const Axis& y, const Points& points) {
 
 std::string dots(const Axis& x, const Axis& y, const Points& points, double radius) {
   std::string all;
-  const std::size_t every = std::max<std::size_t>(1, points.size() / 300);
+  const std::size_t every = std::max<std::size_t>(1, points.size() / 100);
   for (std::size_t i = 0; i < points.size(); i += every) {
     const auto& [px, py] = points[i];
     if (std::isfinite(px) && std::isfinite(py))
@@ -87,7 +87,7 @@ std::string frame(const Axis& x, const Axis& y, const std::string& x_name, const
   s += format("<text class=\"name\" text-anchor=\"middle\" x=\"%.0f\" y=\"%.0f\">", (left + width - right) / 2,
               height - 8) +
        escaped(x_name) + "</text>";
-  s += format("<text class=\"name\" text-anchor=\"middle\" transform=\"translate(14 %.0f) rotate(-90)\">",
+  s += format("<text class=\"name\" text-anchor=\"middle\" transform=\"translate(13 %.0f) rotate(-90)\">",
               (top + height - bottom) / 2) +
        escaped(y_name) + "</text>\n";
   return s;
@@ -103,7 +103,7 @@ std::string draw_curves(const Plot& p) {
   const Axis x = axis_for({&p.theory, &p.simulation}, false, left, width - right);
   const Axis y = axis_for({&p.theory, &p.simulation}, true, height - bottom, top);
   return picture(frame(x, y, p.x, p.y, false) + line(x, y, p.theory) +
-                 dots(x, y, p.simulation, p.simulation.size() > 120 ? 1.6 : 2.6));
+                 dots(x, y, p.simulation, p.simulation.size() > 60 ? 2 : 2.6));
 }
 
 std::string draw_convergence(const Points& sweep, double order) {

@@ -31,7 +31,7 @@ def run(*arguments):
 class Page(html.parser.HTMLParser):
     """Where a page leads to, and whether every element is closed."""
 
-    VOID = {"meta", "link", "circle", "line", "rect", "polygon", "path"}
+    VOID = {"meta", "link", "circle", "line", "rect", "polygon", "polyline", "path"}
     OPTIONAL = {"th", "td", "p"}
 
     def __init__(self, text):

@@ -113,7 +113,10 @@ void hanging_chain(Run& run) {
     before = now;
   }
   joints.push_back(w.join(Ball{.a = before, .at = at}));
+  Plot& plot = run.plot("The chain of rods", "x [m]", "y [m]");
+  for (const Joint j : joints) plot.theory.emplace_back(w[j].anchor_b().x, w[j].anchor_b().y);
   run.until(w, 5);
+  for (const Joint j : joints) plot.simulation.emplace_back(w[j].anchor_b().x, w[j].anchor_b().y);
   const Joint lowest = joints[std::size_t(n / 2)];
   run.relative("chain of rods: sag", "m", sag, -w[lowest].anchor_b().y, 0.005);
   run.relative("chain of rods: level pull", "N", pull, std::fabs(double(w[lowest].load().force.x)), 0.005);
@@ -159,10 +162,13 @@ class CardHouse {
   }
   // Between two meetings: the inner feet must not reach each other, for they would hold what friction does not.
   double spread() const { return 2 * length * std::sin(half_) + 0.5; }
-  bool stands(Run& run) {
+  bool stands(Run& run, const std::string& name) {
     std::vector<double> heights;
     for (const Body b : cards) heights.push_back(world_[b].center().y);
-    run.until(world_, 5);
+    Plot& plot = run.plot(name, "t [s]", "height of the highest card [m]");
+    const std::size_t top = cards.size() - 1;
+    run.until(world_, 5, [&] { plot.simulation.emplace_back(world_.time(), world_[cards[top]].center().y); });
+    plot.theory = {{0, heights[top]}, {5, heights[top]}};
     for (std::size_t i = 0; i < cards.size(); ++i) {
       if (world_[cards[i]].center().y < heights[i] - 0.03) return false;
     }
@@ -183,7 +189,7 @@ class CardHouse {
 bool cards_stand(Run& run, double half, double friction) {
   CardHouse house(run, half, friction);
   house.lean(0, 0);
-  return house.stands(run);
+  return house.stands(run, "One storey, μ = " + std::to_string(friction));
 }
 
 bool two_storeys_stand(Run& run, double half, double friction) {
@@ -191,7 +197,7 @@ bool two_storeys_stand(Run& run, double half, double friction) {
   double top = 0;
   for (const double side : {-0.5, 0.5}) top = house.lean(side * house.spread(), 0);
   house.lean(0, house.cover(top));
-  return house.stands(run);
+  return house.stands(run, "Two storeys, μ = " + std::to_string(friction));
 }
 
 void cards(Run& run) {

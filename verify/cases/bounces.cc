@@ -95,6 +95,8 @@ bool bounces_once_a_period(Run& run, double strength) {
                            .material = m});
   w.place(plate, {{0, plate_at(0) - 0.5, 0}, {}});
   std::vector<double> impacts;
+  Plot& plot = run.plot(strength > 1 ? "Height above the threshold" : "Height below it", "t [s]", "y [m]");
+  run.draw(w);
   double before = double(w[ball].velocity().y);
   const double end = 60 * period, dt = w.config().dt;
   while (w.time() < end) {
@@ -103,7 +105,12 @@ bool bounces_once_a_period(Run& run, double strength) {
     const double now = double(w[ball].velocity().y);
     if (now > before && w.time() > end / 2) impacts.push_back(w.time());
     before = now;
+    if (w.time() < end - 4 * period) continue;
+    plot.simulation.emplace_back(w.time(), w[ball].center().y - r);
+    const double since = std::fmod(w.time(), period);  // an impact
+    if (strength > 1) plot.theory.emplace_back(w.time(), plate_at(0) + g * since * (period - since) / 2);
   }
+  run.draw(w);
   if (impacts.size() < 28 || impacts.size() > 32) return false;
   for (std::size_t i = 1; i < impacts.size(); ++i) {
     if (std::fabs(impacts[i] - impacts[i - 1] - period) > 0.1 * period) return false;

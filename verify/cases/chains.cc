@@ -152,20 +152,27 @@ void pulley_and_yoyo(Run& run) {
   const Body a = w.add(weight);
   weight.at = {1, 0, 0}, weight.mass = Real(light);
   const Body b = w.add(weight);
-  const Joint pulley = w.join(
-      Pulley{.a = a, .b = b, .at_a = {-1, 0, 0}, .over_a = {-1, 20, 0}, .over_b = {1, 20, 0}, .at_b = {1, 0, 0}});
+  const Joint pulley =
+      w.join(Pulley{.a = a, .b = b, .at_a = {-1, 0, 0}, .over_a = {-1, 3, 0}, .over_b = {1, 3, 0}, .at_b = {1, 0, 0}});
   const Body disc = w.add({.shape = cylinder(Real(r), Real(0.02)),
-                           .at = {Real(10 - r), 0, 0},
+                           .at = {Real(4 - r), 0, 0},
                            .turn = axis_angle(Vec3{1, 0, 0}, Real(pi / 2)),
                            .mass = 1});
   const Joint rope =
-      w.join(Reel{.b = disc, .at_a = {10, 3, 0}, .at = {Real(10 - r), 0, 0}, .axis = {0, 0, 1}, .radius = Real(r)});
+      w.join(Reel{.b = disc, .at_a = {4, 3, 0}, .at = {Real(4 - r), 0, 0}, .axis = {0, 0, 1}, .radius = Real(r)});
   double pull = 0, pull_of_disc = 0;
+  const double a1 = g * (heavy - light) / (heavy + light);
+  Plot& plot = run.plot("Velocity of Atwood's heavy weight", "t [s]", "v [m/s]");
+  Plot& unrolls = run.plot("Velocity of the yo-yo", "t [s]", "v [m/s]");
   run.until(w, seconds, [&] {
+    plot.theory.emplace_back(w.time(), a1 * w.time());
+    plot.simulation.emplace_back(w.time(), -double(w[a].velocity().y));
+    unrolls.theory.emplace_back(w.time(), 2 * g / 3 * w.time());
+    unrolls.simulation.emplace_back(w.time(), -double(w[disc].velocity().y));
     pull += double(length(w[pulley].load().force));
     pull_of_disc += double(length(w[rope].load().force));
   });
-  const double steps = double(w.steps()), t = w.time(), a1 = g * (heavy - light) / (heavy + light);
+  const double steps = double(w.steps()), t = w.time();
   run.relative("Atwood: acceleration", "m/s²", a1, -double(w[a].velocity().y) / t, 1e-3);
   run.relative("Atwood: tension", "N", 2 * heavy * light / (heavy + light) * g, pull / steps, 1e-3);
   run.relative("yo-yo: acceleration", "m/s²", 2 * g / 3, -double(w[disc].velocity().y) / t, 1e-3);

@@ -96,6 +96,9 @@ void box_distances(Run& run) {
     const Quat turn = axis_angle(normalize(convert<Real>(axis) + Vec3{0, 0, Real(1e-3)}), Real(random.between(0, 3)));
     return Placed{convert<double>(convert<Real>(half)), at, convert<double>(turn)};
   };
+  show(run, {{.shape = cube}, {.shape = cube, .at = up.p, .turn = up.q}});
+  Plot& plot = run.plot("Distance of random pairs", "enumerated [m]", "the engine's [m]");
+  plot.theory = {{-1, -1}, {3, 3}};
   double apart = 0, shallow = 0, deep = 0;
   int pairs = 0, overlapping = 0;
   for (const double spread : {2.0, 0.5}) {
@@ -103,6 +106,7 @@ void box_distances(Run& run) {
       const Placed a = some_box(0), b = some_box(spread);
       const Pose moved{b.pose().p + Vec3d{0, cheat, 0}, b.pose().q};
       const double exact = enumerated(a, b), got = distance(a.shape(), a.pose(), b.shape(), moved).value;
+      plot.simulation.emplace_back(exact, got);
       if (exact >= 0) {
         apart = std::max(apart, std::fabs(got - exact));
         continue;
@@ -138,11 +142,22 @@ void round_distances(Run& run) {
   run.check("a point outside an ellipsoid", "m", length(p - foot(t)),
             distance(ellipsoid(convert<Real>(r)), {}, Pos{p.x + cheat, p.y, p.z}).value, 1e-5);
   // A cylinder on its rim, its axis inclined by the angle to the floor.
-  const double angle = run["inclination"] * pi / 180, radius = 0.5, h = 1,
-               rest = radius * std::cos(angle) + h / 2 * std::sin(angle);
-  const Quat inclined = axis_angle(Vec3{0, 0, 1}, Real(pi / 2 - angle));
-  run.check("height of a cylinder on its rim", "m", rest,
-            2 - distance(cylinder(Real(radius), Real(h)), {{0, 2 + cheat, 0}, inclined}, half_space(), {}).value, 1e-5);
+  const double radius = 0.5, h = 1;
+  const auto inclined = [](double angle) { return axis_angle(Vec3{0, 0, 1}, Real(pi / 2 - angle)); };
+  const auto rest = [&](double angle) { return radius * std::cos(angle) + h / 2 * std::sin(angle); };
+  const auto got = [&](double angle) {
+    return 2 - distance(cylinder(Real(radius), Real(h)), {{0, 2 + cheat, 0}, inclined(angle)}, half_space(), {}).value;
+  };
+  const double angle = run["inclination"] * pi / 180;
+  run.check("height of a cylinder on its rim", "m", rest(angle), got(angle), 1e-5);
+  Plot& plot = run.plot("Height of a cylinder on its rim", "inclination [°]", "m");
+  for (int degrees = 0; degrees <= 90; degrees += 5) {
+    plot.theory.emplace_back(degrees, rest(degrees * pi / 180));
+    plot.simulation.emplace_back(degrees, got(degrees * pi / 180));
+  }
+  show(run, {{.shape = half_space(), .motion = Motion::fixed},
+             {.shape = cylinder(Real(radius), Real(h)), .at = {0, rest(angle), 0}, .turn = inclined(angle)},
+             {.shape = ellipsoid(convert<Real>(r)), .at = {4, 3, 0}}});
 }
 
 }

@@ -119,6 +119,7 @@ void oscillator(Run& run) {
   const double phi = 2 * std::asin(omega * dt / 2), sine = -square(omega * dt) / (2 * std::sin(phi));
   const auto exact = [&](double k) { return std::cos(k * phi) + sine * std::sin(k * phi); };
   Plot& plot = run.plot("The last hundred steps", "t [s]", "x [m]");
+  run.draw(w);
   double worst = 0;
   for (double k = 1; k <= n; ++k) {
     const Pos at = w[b].center();
@@ -131,6 +132,7 @@ void oscillator(Run& run) {
     plot.theory.emplace_back(k * dt, exact(k));
     plot.simulation.emplace_back(k * dt, x);
   }
+  run.draw(w);
   const double tolerance = by_precision(1e-5, 1e-11);
   run.check("x at the end", "m", exact(n), w[b].center().x, tolerance);
   run.below("shadow energy, largest relative error", "1", worst, tolerance);
@@ -155,8 +157,10 @@ void orbit(Run& run) {
   const double steps = std::round(run["orbits"] * 2 * pi / phi);
   double worst = 0, lag = 0;
   Plot& plot = run.plot("Radius", "orbits", "r/r₀ − 1");
+  run.draw(w);
   for (double n = 1; n <= steps; ++n) {
     w.step();
+    if (n == std::round(pi / 2 / phi)) run.draw(w);
     const Pos p = w[planet].center();
     const double drift = std::hypot(p.x, p.z) / radius - 1, turned = std::atan2(-p.z, p.x);
     worst = std::max(worst, std::fabs(drift));

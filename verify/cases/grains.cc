@@ -147,6 +147,8 @@ Discharge discharge(Run& run, World& w, std::vector<Body> grains, double hole) {
       return true;
     });
     plot.simulation.emplace_back(w.time() - begin, gone);
+    plot.theory.emplace_back(w.time() - begin, 0.58 * density * std::sqrt(standard_gravity) *
+                                                   std::pow(hole - 1.4, 2.5) * (w.time() - begin));
     if (w.time() > begin + 1 && double(grains.size()) > least) out.emplace_back(w.time(), gone);
   });
   return {slope(out), density};
@@ -263,6 +265,7 @@ bool rises(Run& run, std::uint32_t seed, Plot& plot) {
         std::count_if(grains.begin(), grains.end(), [&](Body b) { return w[b].center().y < w[nut].center().y; }));
     if (w.steps() % 20 == 0) plot.simulation.emplace_back(t, double(below) / double(grains.size()));
   });
+  plot.theory = {{0, 0.5}, {run["time"], 0.5}};  // above it has risen
   return below > grains.size() / 2;
 }
 
@@ -299,7 +302,7 @@ std::vector<Case> grains() {
        .group = "Grains",
        .formula = "W = 0.58 ρ √g (D − 1.4 d)^⁵⁄₂ with a bed higher than 2 D",
        .source = "Beverloo et al., Chem. Eng. Sci. 15 (1961) 260",
-       .parameters = {{"hole", 6, 4, 12, "d"},
+       .parameters = {{"hole", 7, 4, 12, "d"},
                       {"width", 14, 8, 40, "d"},
                       {"grains", 4500, 100, 1e5, "1"},
                       {"friction", 0.5, 0, 1, "1"},

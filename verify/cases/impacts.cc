@@ -36,8 +36,11 @@ void cradle(Run& run) {
   const std::vector<Body> balls = row_of_balls(w, n, run["gap"], v, material(0, e));
   run.until(w, 1);
   double energy = 0;
+  Plot& plot = run.plot("Velocities afterwards", "ball", "v [m/s]");
   for (int i = 0; i < n; ++i) {
     const double got = double(w[balls[std::size_t(i)]].velocity().x);
+    plot.theory.emplace_back(i + 1, i == n - 1 ? v : 0);
+    plot.simulation.emplace_back(i + 1, got);
     energy += got * got / (v * v);
     run.check("velocity of ball " + std::to_string(i + 1), "m/s", i == n - 1 ? v : 0, got, 1e-3 * v);
   }
@@ -50,8 +53,10 @@ void head_on(Run& run) {
   World w(run.config());
   const Material m = material(0, run.with("restitution", 1));
   const Body a = add_ball(w, -0.3, v, m, m1), b = add_ball(w, 0, 0, m, m2);
-  run.until(w, 0.5 + 0.5 / v);
-  const double first = (m1 - m2) * v / (m1 + m2);
+  const double first = (m1 - m2) * v / (m1 + m2), meet = 0.1 / v, end = 0.5 + 0.5 / v;
+  Plot& plot = run.plot("Way of the first", "t [s]", "x [m]");
+  plot.theory = {{0, -0.3}, {meet, -0.2}, {end, -0.2 + first * (end - meet)}};
+  run.until(w, end, [&] { plot.simulation.emplace_back(w.time(), w[a].center().x); });
   run.check("velocity of the first", "m/s", first, double(w[a].velocity().x),
             1e-5 * (first != 0 ? std::fabs(first) : v));
   run.relative("velocity of the second", "m/s", 2 * m1 * v / (m1 + m2), double(w[b].velocity().x), 1e-5);
@@ -59,19 +64,23 @@ void head_on(Run& run) {
 
 // V12. Oblique elastic impact of equal smooth balls: they part at a right angle. Gives both velocities after it, when
 // the first ball comes from x.
-std::pair<Vec3d, Vec3d> oblique_from(Run& run, double x) {
+std::pair<Vec3d, Vec3d> oblique_from(
+    Run& run, double x, const std::function<void(const Pos&)>& visit = [](const Pos&) {}) {
   World w(run.config());
   const Material m = material(0, run.with("restitution", 1));
   const Body first = add_ball(w, x, run["speed"], m);
   const Body second = w.add(
       {.shape = sphere(Real(ball_radius)), .at = {0, 2 * ball_radius * run["offset"], 0}, .mass = 1, .material = m});
-  run.until(w, 1);
+  run.until(w, 1, [&] { visit(w[first].center()); });
   return {convert<double>(w[first].velocity()), convert<double>(w[second].velocity())};
 }
 
 void oblique(Run& run) {
   const double b = run["offset"], v = run["speed"], across = std::sqrt(1 - b * b);
-  const auto [a, c] = oblique_from(run, -0.5);
+  Plot& plot = run.plot("Path of the first", "x [m]", "y [m]");
+  const double meet = -2 * ball_radius * across;  // there its centre turns, at y = 0
+  plot.theory = {{-0.5, 0}, {meet, 0}, {meet + 0.7 * v * b * b, -0.7 * v * b * across}};
+  const auto [a, c] = oblique_from(run, -0.5, [&](const Pos& p) { plot.simulation.emplace_back(p.x, p.y); });
   run.check("first, along", "m/s", v * b * b, a.x, 1e-4);
   run.check("first, across", "m/s", -v * b * across, a.y, 1e-4);
   run.check("second, along", "m/s", v * (1 - b * b), c.x, 1e-4);
@@ -90,17 +99,29 @@ void oblique(Run& run) {
 // V14. A ball meets the floor aslant: it grips when μ > (2/7) u/((1+e) vₙ), else friction takes μ (1+e) vₙ.
 void aslant(Run& run) {
   const double r = ball_radius, vx = run["along"], vn = run["down"], e = run["restitution"], mu = run["friction"];
-  World w(run.config());
-  const Material m = material(run.with("friction", mu), e);
-  add_ground(w, m);
-  const Body ball = w.add(
-      {.shape = sphere(Real(r)), .at = {0, r, 0}, .velocity = {Real(vx), Real(-vn), 0}, .mass = 1, .material = m});
-  w.step();
-  const bool grips = mu > 2.0 / 7 * vx / ((1 + e) * vn);
-  const double taken = grips ? 2.0 / 7 * vx : mu * (1 + e) * vn;
-  run.relative("velocity along the floor", "m/s", vx - taken, double(w[ball].velocity().x), 1e-3);
-  run.relative("velocity upwards", "m/s", e * vn, double(w[ball].velocity().y), 1e-3);
-  run.relative("spin", "rad/s", 2.5 * taken / r, -double(w[ball].spin().z), 1e-3);
+  const auto bounced = [&](double friction) {  // velocity and spin afterwards
+    World w(run.config());
+    const Material m = material(run.with("friction", friction), e);
+    add_ground(w, m);
+    const Body ball = w.add(
+        {.shape = sphere(Real(r)), .at = {0, r, 0}, .velocity = {Real(vx), Real(-vn), 0}, .mass = 1, .material = m});
+    run.draw(w);
+    w.step();
+    run.draw(w);
+    return std::pair{w[ball].velocity(), w[ball].spin()};
+  };
+  const auto taken = [&](double friction) { return std::min(2.0 / 7 * vx, friction * (1 + e) * vn); };
+  const auto [v, spin] = bounced(mu);
+  run.relative("velocity along the floor", "m/s", vx - taken(mu), double(v.x), 1e-3);
+  run.relative("velocity upwards", "m/s", e * vn, double(v.y), 1e-3);
+  run.relative("spin", "rad/s", 2.5 * taken(mu) / r, -double(spin.z), 1e-3);
+  Plot& plot = run.plot("Velocity along the floor afterwards", "μ", "v [m/s]");
+  const double grips = 2.0 / 7 * vx / ((1 + e) * vn);
+  for (int i = 0; i <= 20; ++i) {
+    const double friction = grips * i / 10;
+    plot.theory.emplace_back(friction, vx - taken(friction));
+    plot.simulation.emplace_back(friction, double(bounced(friction).first.x));
+  }
 }
 
 // V59. A free rod struck by a ball; a hanging rod that swallows a bullet.
@@ -137,11 +158,23 @@ void struck_rod(Run& run) {
   p.step();
   run.relative("ballistic: spin", "rad/s", omega, double(p[target].spin().z), 1e-3);
   double swing = 0;
+  Plot& plot = run.plot("Swing of the ballistic pendulum", "t [s]", "°");
+  const double weighs = (big / 2 + mv) * g * long_;
+  Vector exact{0, omega};
   run.until(p, 3, [&] {
     const Vec3 along = rotate(p[target].pose().q, Vec3{1, 0, 0});
-    swing = std::max(swing, std::atan2(double(along.x), double(-along.y)) * 180 / pi);
+    const double angle = std::atan2(double(along.x), double(-along.y)) * 180 / pi;
+    swing = std::max(swing, angle);
+    exact = solve_ode(
+        [&](double, const Vector& y) {
+          return Vector{y[1], -weighs / whole * std::sin(y[0])};
+        },
+        0, exact, p.config().dt);
+    if (p.time() > 1) return;
+    plot.theory.emplace_back(p.time(), exact[0] * 180 / pi);
+    plot.simulation.emplace_back(p.time(), angle);
   });
-  const double rise = whole * omega * omega / 2 / ((big / 2 + mv) * g * long_);
+  const double rise = whole * omega * omega / 2 / weighs;
   run.relative("ballistic: swing", "°", std::acos(1 - rise) * 180 / pi, swing, 1e-3);
 }
 

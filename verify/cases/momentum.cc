@@ -51,6 +51,7 @@ void closed_box(Run& run) {
   double worst = 0, worst_angular = 0;
   Plot& plot = run.plot("Momentum", "step", "|Δp| / Σ|p|");
   plot.theory = {{0, 0}, {steps, 0}};
+  run.draw(w);
   while (double(w.steps()) < steps) {
     w.step();
     if (w.steps() % 20 != 0) continue;
@@ -59,6 +60,7 @@ void closed_box(Run& run) {
     worst_angular = std::max(worst_angular, length(now.angular - before.angular) / angular);
     plot.simulation.emplace_back(double(w.steps()), length(now.linear - before.linear) / linear);
   }
+  run.draw(w);
   const double share = by_precision(1e-5, 1e-13);
   run.below("largest change of the momentum / Σ|p|", "1", worst, share);
   run.below("largest change of the angular momentum / Σ|r||p|", "1", worst_angular, share);

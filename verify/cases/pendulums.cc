@@ -52,6 +52,12 @@ void rod_pendulum(Run& run) {
   const Body rod = w.add(hanging_rod({}, l, m, start));
   const Joint hinge = w.join(Hinge{.b = rod});
   Crossings zeros;
+  Plot& swings_plot = run.plot("Angle", "t [s]", "θ [°]");
+  const double modulus = std::sin(start / 2);  // sin θ/2 = k sn(K − ω t)
+  const auto exact = [&](double s) {
+    const double u = elliptic_k(square(modulus)) * (1 - 4 * s / period);
+    return 2 * std::asin(modulus * jacobi(u, square(modulus)).sn);
+  };
   const double window = period * std::max(1.0, std::round(t / 20 / period));
   Ends energy(window, t);
   double gap = 0;
@@ -60,6 +66,10 @@ void rod_pendulum(Run& run) {
   double sum = 0, n = 0, begun = 0;
   run.until(w, t, [&] {
     zeros.sample(w.time(), angle_of(w[rod]));
+    if (w.time() < 2 * period) {
+      swings_plot.theory.emplace_back(w.time(), exact(w.time()) * 180 / pi);
+      swings_plot.simulation.emplace_back(w.time(), angle_of(w[rod]) * 180 / pi);
+    }
     const double e = w[rod].kinetic_energy() + m * g * (w[rod].center().y + l / 2 * std::cos(start));
     energy.sample(w.time(), e);
     gap = std::max(gap, double(w[hinge].gap()));
@@ -136,11 +146,14 @@ void bar_joint(Run& run) {
   const Joint bar = w.join(Bar{.b = weight, .at_b = {r, y, 0}});
   double phi = 0, before = 0, tension = 0, n = 0;
   const double t = 10;
+  Plot& plot = run.plot("Angle of the conical pendulum", "t [s]", "φ [rad]");
   run.until(w, t, [&] {
     const Pos p = w[weight].center();
     const double angle = std::atan2(-p.z, p.x);
     phi += std::remainder(angle - before, 2 * pi);
     before = angle;
+    plot.theory.emplace_back(w.time(), omega * w.time());
+    plot.simulation.emplace_back(w.time(), phi);
     tension += double(length(w[bar].load().force)), ++n;
   });
   run.relative("turns of the conical pendulum", "rad/s", omega, phi / t, 1e-3);

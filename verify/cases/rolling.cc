@@ -66,6 +66,7 @@ void roll_down(Run& run) {
   const double g = standard_gravity, angle = run["slope"] * pi / 180, k = run["k"], r = 0.1, t = 2;
   const double least = std::tan(angle) / (1 + 1 / k);
   const Quat turn = axis_angle(Vec3{0, 0, -1}, Real(angle));
+  Plot& plot = run.plot("Velocity down the incline", "t [s]", "v [m/s]");
   const auto roll = [&](double mu) {  // velocity down the incline, and of the contact point
     World w(run.config());
     add_gravity(run, w);
@@ -74,7 +75,11 @@ void roll_down(Run& run) {
     BodyDef def = rolling_body(r, k, m);
     def.at = Pos{} + rotate(turn, Vec3{0, Real(r), 0});
     const Body ball = w.add(def);
-    run.until(w, t);
+    run.until(w, t, [&] {
+      if (mu <= 2 * least) return;
+      plot.theory.emplace_back(w.time(), g * std::sin(angle) / (1 + k) * w.time());
+      plot.simulation.emplace_back(w.time(), double(rotate_back(turn, w[ball].velocity()).x));
+    });
     const Vec3 v = rotate_back(turn, w[ball].velocity());
     return std::pair{double(v.x), double(v.x + w[ball].spin().z * Real(r))};
   };
@@ -100,7 +105,10 @@ void resistance(Run& run) {
                            .material = m});
   const double a = 5 * rho * g / (7 * r);
   double rest = std::nan("");
+  Plot& plot = run.plot("Velocity of a rolling ball", "t [s]", "v [m/s]");
+  plot.theory = {{0, v}, {v / a, 0}, {1.1 * v / a, 0}};
   run.until(w, 1.1 * v / a, [&] {
+    if (w.steps() % 20 == 0) plot.simulation.emplace_back(w.time(), double(w[ball].velocity().x));
     if (std::isnan(rest) && double(w[ball].velocity().x) < 1e-3 * v) rest = w.time();
   });
   run.deviation(std::fabs(w[ball].center().x - v * v / (2 * a)));

@@ -40,6 +40,7 @@ void rolling_slab(Run& run) {
   const Vec3d along{std::cos(angle), 0, std::sin(angle)};
   double sum = 0, steps = 0;
   Plot& plot = run.plot("Velocity of the slab", "t [s]", "v [m/s]");
+  run.draw(w);
   while (w.time() < t - w.config().dt / 2) {
     w.push(slab, convert<Real>(along * force), w[slab].center());
     w.step();
@@ -52,6 +53,7 @@ void rolling_slab(Run& run) {
     plot.theory.emplace_back(w.time(), a_slab * w.time());
     plot.simulation.emplace_back(w.time(), dot(convert<double>(w[slab].velocity()), along));
   }
+  run.draw(w);
   run.below("mean squared error of the velocities", "m²/s²", sum / steps, 1e-6);
 }
 
@@ -138,10 +140,12 @@ void kapla(Run& run) {
   for (int i = 0; i < 6; ++i) top = add_block(i + 0.5, ring * std::cos(pi / 8), y + 0.025, plank);
   const double start = w[top].center().y;
   Plot& plot = run.plot("Sinking of the top", "step", "m");
+  run.draw(w);
   while (double(w.steps()) < run["steps"] && w[top].center().y > start - 0.1) {
     w.step();
     if (w.steps() % 100 == 0) plot.simulation.emplace_back(double(w.steps()), start - w[top].center().y);
   }
+  run.draw(w);
   plot.theory = {{0, 0}, {run["steps"], 0}};
   run.check("steps that it stands", "1", run["steps"], double(w.steps()), 0);
 }

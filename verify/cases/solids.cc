@@ -106,11 +106,18 @@ void random_hull(Run& run) {
   }
   const ExactHull exact(points);
   const MassProperties got = hull(given).mass_properties();
+  show(run, {{.shape = hull(given)}});
   const double share = by_precision(1e-6, 1e-13);
   run.relative("volume", "m³", exact.volume(), got.volume, share);
   run.below("centre of mass, distance", "m", length(got.center - exact.center()), share * 50);
   run.below("inertia tensor, largest relative error", "1",
             largest(got.inertia - exact.inertia()) / largest(exact.inertia()), share);
+  Plot& plot = run.plot("Volume of the hull of the first points", "points", "m³");
+  for (std::size_t n = 5; n <= points.size(); n += 1 + points.size() / 20) {
+    const std::vector<Whole> some(points.begin(), points.begin() + std::ptrdiff_t(n));
+    plot.theory.emplace_back(n, ExactHull(some).volume());
+    plot.simulation.emplace_back(n, hull({given.data(), n}).mass_properties().volume);
+  }
 }
 
 // V38. What a solid's mass properties must be: volume, height of the centre, and moments about the axis y and across
@@ -230,6 +237,18 @@ void mass_of_solids(Run& run) {
   const double size = run["size"], cheat = run.without("the right size") ? 1.01 : 1;
   solids_of_revolution(run, size, cheat);
   polyhedra(run, size, cheat);
+  Plot& plot = run.plot("Frustum: moment about its axis", "upper / lower radius", "m⁵");
+  for (int i = 1; i <= 20; ++i) {
+    const auto radius = [&](double y) { return size * (1 + (i / 20.0 - 1) * y / size); };
+    plot.theory.emplace_back(i / 20.0, revolve(0, size, radius).axis);
+    plot.simulation.emplace_back(i / 20.0, mass_of(solid::Frustum{size, size * i / 20, size}).inertia.c1.y);
+  }
+  const Real s = Real(size);
+  show(run, {{.shape = cylinder(s / 2, 2 * s), .at = {-3 * size, 0, 0}},
+             {.shape = cone(s / 2, 2 * s), .at = {-1.5 * size, 0, 0}},
+             {.shape = ellipsoid({s / 2, s * Real(0.8), s / 2})},
+             {.shape = dodecahedron(s / 2), .at = {1.5 * size, 0, 0}},
+             {.shape = prism(6, s / 2, s), .at = {3 * size, 0, 0}}});
 }
 
 }

@@ -91,8 +91,14 @@ bool overhang_stands(Run& run, int n, double share) {
     blocks.push_back(w.add(
         {.shape = box({Real(length), Real(height), 1}), .at = {x, (i + 0.5) * height, 0}, .mass = 1, .material = m}));
   }
-  run.until(w, 10);
-  return w[blocks.back()].center().y > (n - 0.5) * height - 0.05;
+  const double top = (n - 0.5) * height;
+  Plot& plot = run.plot(share < 1 ? "Height of the top, 98 %" : "Height of the top, 102 %", "t [s]", "y [m]");
+  if (share < 1) plot.theory = {{0, top}, {10, top}};
+  run.until(w, 10, [&] {
+    if (w.steps() % 5 == 0 && w[blocks.back()].center().y > -2)
+      plot.simulation.emplace_back(w.time(), w[blocks.back()].center().y);
+  });
+  return w[blocks.back()].center().y > top - 0.05;
 }
 
 void overhang(Run& run) {
