@@ -7,27 +7,13 @@
 
 #include "ui/engine_panel.h"
 #include "ui/labels.h"
+#include "ui/panes.h"
 
 namespace sudar::ui {
 
 namespace {
 
 constexpr float side = 300, line = 30;  // pixels: of the left panel, of the state line
-constexpr ImGuiWindowFlags plain = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
-
-bool begin_panel(const char* name, float x, float y, float width, float height, ImGuiWindowFlags more = 0) {
-  ImGui::SetNextWindowPos({x, y});
-  ImGui::SetNextWindowSize({width, height});
-  return ImGui::Begin(name, nullptr, (plain & ~ImGuiWindowFlags_NoScrollbar) | more);
-}
-
-// A note over the picture, as large as its text.
-void begin_note(const char* name, float x, float y, ImVec2 pivot, ImGuiWindowFlags more = ImGuiWindowFlags_NoInputs) {
-  ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, pivot);
-  ImGui::SetNextWindowBgAlpha(0.75f);
-  ImGui::Begin(name, nullptr, plain | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | more);
-}
 
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
@@ -44,87 +30,6 @@ int match(const ScenarioEntry& e, const std::string& search) {
   return lower(e.about).find(search) != std::string::npos ? 1 : 0;
 }
 
-}
-
-void Panels::item(Action action, const bool* on) {
-  const Binding& b = binding_of(action);
-  if (ImGui::MenuItem(b.does, b.shortcut, on && *on)) controls_.perform(action);
-  controls_.places.note(b.does);
-}
-
-bool Panels::open_menu(const char* name) {
-  const bool open = ImGui::BeginMenu(name);
-  if (!open) controls_.places.note(name);
-  return open;
-}
-
-void Panels::colours(view::Style& style) {
-  constexpr struct {
-    view::Colouring colouring;
-    const char* text;
-  } all[] = {{view::Colouring::body, "Colour by body"},
-             {view::Colouring::speed, "Colour by speed"},
-             {view::Colouring::island, "Colour by island"},
-             {view::Colouring::sleep, "Colour by sleep"}};
-  for (const auto& c : all) {
-    if (ImGui::MenuItem(c.text, nullptr, style.colouring == c.colouring)) style.colouring = c.colouring;
-    controls_.places.note(c.text);
-  }
-}
-
-void Panels::menu() {
-  if (open_menu("Run")) {
-    for (const Action a : {Action::pause, Action::step, Action::ten_steps, Action::restart}) item(a);
-    ImGui::Separator();
-    for (const Action a : {Action::faster, Action::slower, Action::real_time}) item(a);
-    ImGui::Separator();
-    for (const Action a : {Action::previous, Action::next, Action::search}) item(a);
-    ImGui::Separator();
-    for (const Action a : {Action::record, Action::screenshot, Action::movie, Action::quit}) item(a);
-    ImGui::EndMenu();
-  }
-  if (open_menu("Edit")) {
-    for (const Action a : {Action::shoot, Action::add_box, Action::add_sphere, Action::remove}) item(a);
-    ImGui::EndMenu();
-  }
-  if (open_menu("Show")) {
-    view::Style& style = controls_.style;
-    item(Action::contacts, &style.contacts), item(Action::joints, &style.joints), item(Action::forces, &style.forces);
-    item(Action::axes, &style.axes), item(Action::labels, &controls_.labels);
-    item(Action::boxes, &style.boxes), item(Action::cells, &style.cells);
-    ImGui::Separator();
-    colours(style);
-    item(Action::colours);
-    ImGui::Separator();
-    item(Action::wireframe, &style.wireframe), item(Action::sleep, &style.sleep);
-    ImGui::Separator();
-    for (const Action a : {Action::frame_selection, Action::frame_all}) item(a);
-    item(Action::follow, &controls_.follow);
-    ImGui::Separator();
-    item(Action::panels, &controls_.panels), item(Action::fullscreen), item(Action::help, &controls_.help);
-    ImGui::EndMenu();
-  }
-}
-
-void Panels::transport() {
-  const auto button = [&](const char* text, Action action) {
-    if (ImGui::SmallButton(text)) controls_.perform(action);
-    controls_.places.note(std::string("button: ") + binding_of(action).does);
-    if (ImGui::IsItemHovered()) {
-      const Binding& b = binding_of(action);
-      ImGui::SetTooltip("%s (%s)", b.does, b.shortcut);
-    }
-  };
-  const View& v = controls_.view();
-  ImGui::Separator();
-  button(v.paused ? "▶ Run" : "■ Pause", Action::pause);
-  button("→ Step", Action::step);
-  button("↺ Restart", Action::restart);
-  ImGui::Separator();
-  button("−", Action::slower);
-  ImGui::Text("×%g", v.speed);
-  button("+", Action::faster);
-  if (controls_.moment() && controls_.moment()->recording) { ImGui::TextColored({1, 0.35f, 0.3f, 1}, "● recording"); }
 }
 
 void Panels::scenarios() {
@@ -222,61 +127,11 @@ void Panels::state_line(float width, float height, double frames_per_second) {
     ImGui::Text(
         "%s   t = %.2f s   %s   ×%.2f real time   %zu bodies   %zu joints   %zu contacts   "
         "step %.0f µs   Σ energy %.5g J   %.0f fps",
-        m->entry->name, m->time, v.paused ? "paused" : "running", v.paused ? 0.0 : v.rate, m->bodies, m->joints,
-        m->contacts, m->step_us, m->energy.total(), frames_per_second);
-  }
-  ImGui::End();
-}
-
-// What colours and arrows mean in numbers.
-void Panels::legend(float right, float top) {
-  const view::Style& style = controls_.style;
-  const bool speed = style.colouring == view::Colouring::speed, forces = style.forces;
-  if (!speed && !forces) return;
-  begin_note("legend", right, top, {1, 0});
-  if (speed) ImGui::Text("colour: 0 … %g m/s", double(view::top_speed(controls_.scene)));
-  if (forces && controls_.scene.metres_per_newton > 0) {
-    ImGui::Text("1 m of arrow is %.3g N", 1 / double(controls_.scene.metres_per_newton));
-  }
-  ImGui::End();
-}
-
-void Panels::over_picture(const Area& area) {
-  const auto left = float(area.x) + 12, top = float(area.y) + 12;
-  const Moment* m = controls_.moment();
-  if (m && !m->keys.empty()) {
-    begin_note("keys", left, top, {0, 0});
-    ImGui::TextDisabled(controls_.view().paused ? "keys of this scenario, while it runs" : "keys of this scenario");
-    for (const KeyHelp& k : m->keys) ImGui::Text("%-12s %s", k.key, k.does);
-    ImGui::End();
-  }
-  legend(float(area.x + area.width) - 12, top);
-  const View& v = controls_.view();
-  if (v.messages != seen_message_) seen_message_ = v.messages, message_since_ = Clock::now();
-  if (v.messages > 0 && Clock::now() - message_since_ < std::chrono::seconds(6)) {
-    begin_note("message", left, float(area.y + area.height) - 12, {0, 1});
-    ImGui::TextUnformatted(v.message.c_str());
-    ImGui::End();
-  }
-}
-
-void Panels::help(const Area& area) {
-  begin_note("help", float(area.x) + float(area.width) / 2, float(area.y) + float(area.height) / 2, {0.5f, 0.5f});
-  const auto row = [](const char* what, const char* does) {
-    ImGui::TableNextColumn(), ImGui::TextUnformatted(what);
-    ImGui::TableNextColumn(), ImGui::TextDisabled("%s", does);
-  };
-  if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) {
-    for (const Binding& b : bindings()) {
-      if (*b.shortcut) row(b.shortcut, b.does);
-    }
-    row("left on a body", "select, drag with a spring");
-    row("Ctrl + left", "twist the body");
-    row("left beside, middle", "turn the camera");
-    row("right, Shift + middle", "slide the camera");
-    row("wheel", "closer, away");
-    row("right + WASD QE", "fly");
-    ImGui::EndTable();
+        m->entry->name, m->time,
+        v.paused       ? "paused"
+        : m->abandoned ? "running, without its scenario"
+                       : "running",
+        v.paused ? 0.0 : v.rate, m->bodies, m->joints, m->contacts, m->step_us, m->energy.total(), frames_per_second);
   }
   ImGui::End();
 }
@@ -287,12 +142,7 @@ Area Panels::draw(int width, int height, double frames_per_second) {
   controls_.places.clear();
   controls_.typing = ImGui::GetIO().WantTextInput;
   if (controls_.panels) {
-    if (ImGui::BeginMainMenuBar()) {
-      menu();
-      transport();
-      area.y = int(ImGui::GetWindowHeight());
-      ImGui::EndMainMenuBar();
-    }
+    area.y = menu_bar_.draw();
     const auto top = float(area.y);
     begin_panel("side", 0, top, side, h - top - line);
     scenarios();
@@ -304,8 +154,7 @@ Area Panels::draw(int width, int height, double frames_per_second) {
     area = {int(side), area.y, std::max(1, width - int(side)), std::max(1, height - area.y - int(line))};
   }
   if (controls_.labels) draw_labels(controls_, area);
-  over_picture(area);
-  if (controls_.help) help(area);
+  notes_.draw(area);
   return area;
 }
 

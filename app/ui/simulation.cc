@@ -106,6 +106,14 @@ void Simulation::fail(const std::string& what) {
   paused_ = true;
 }
 
+// Once in a run.
+void Simulation::tell_if_abandoned() {
+  if (!run_ || abandoned_run_ == runs_ || run_->session().abandoned().empty()) return;
+  abandoned_run_ = runs_;
+  say("The scenario misses what was removed (" + run_->session().abandoned() +
+      "). The world goes on without it: no keys, no checks. R starts anew");
+}
+
 void Simulation::begin(const ScenarioEntry& entry, Settings settings) {
   auto fresh = std::make_unique<Run>(entry, std::move(settings));
   if (run_) {
@@ -193,10 +201,11 @@ std::shared_ptr<Moment> Simulation::moment() const {
   m->step_us = step_us_;
   m->spring = run_->spring();
   m->recording = run_->recording();
+  m->abandoned = !session.abandoned().empty();
   if (w.alive(selected_)) {
     const BodyView b = w[selected_];
-    m->selected = {selected_,  b.name(),     double(b.mass()), b.kinetic_energy(),
-                   b.pose(),   b.velocity(), b.spin(),         b.asleep()};
+    m->selected = {selected_, b.name(),     double(b.mass()), b.kinetic_energy(),
+                   b.pose(),  b.velocity(), b.spin(),         b.asleep()};
   }
   return m;
 }
@@ -235,6 +244,7 @@ void Simulation::loop() {
     }
     const bool changed = perform_commands();
     const int steps = advance();
+    tell_if_abandoned();
     measure(steps);
     publish(changed || steps > 0);
   }

@@ -43,6 +43,7 @@ struct Moment {
   std::optional<BodyFacts> selected;
   std::optional<Run::Spring> spring;
   bool recording = false;
+  bool abandoned = false;  // by its scenario (session.h)
 };
 
 struct View {
@@ -89,6 +90,7 @@ class Simulation {
   void measure(int steps);
   void enqueue(std::function<void()>);
   void fail(const std::string& what);
+  void tell_if_abandoned();
   void begin(const ScenarioEntry&, Settings);
   void begin_anew(const std::map<std::string, double>& parameters);
   void forget();  // what belonged to the run before
@@ -97,7 +99,7 @@ class Simulation {
 
   // Of the physics thread alone.
   std::unique_ptr<Run> run_;
-  std::int64_t runs_ = 0;
+  std::int64_t runs_ = 0, abandoned_run_ = 0;  // the last one of that kind
   Body selected_{};
   view::Detail detail_;
   bool paused_ = false;

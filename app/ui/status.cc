@@ -18,9 +18,7 @@ Json list(const V& v) {
 
 void StatusFile::write(const Controls& c, const Window& window, double frames_per_second) {
   ++pictures_;
-  const Clock::time_point now = Clock::now();
-  if (path_.empty() || !c.moment() || now - last_ < std::chrono::milliseconds(30)) return;
-  last_ = now;
+  if (path_.empty() || !c.moment()) return;
   const Moment& m = *c.moment();
   const View& v = c.view();
   const Camera& camera = c.camera.camera();
@@ -58,6 +56,7 @@ void StatusFile::write(const Controls& c, const Window& window, double frames_pe
       {"selected_spin", m.selected ? list(m.selected->spin) : nullptr},
       {"dragging", m.spring.has_value()},
       {"recording", m.recording},
+      {"abandoned", m.abandoned},
       {"filming", c.filming},
       {"eye", list(camera.eye)},
       {"target", list(camera.target)},
@@ -77,6 +76,7 @@ void StatusFile::write(const Controls& c, const Window& window, double frames_pe
       {"colouring", int(c.style.colouring)},
       {"wireframe", c.style.wireframe},
       {"message", v.message},
+      {"messages", v.messages},
       {"pictures", pictures_},
       {"fps", frames_per_second},
       {"window", {window.width(), window.height()}},

@@ -5,6 +5,7 @@
 
 #include "view/bodies.h"
 #include "view/boxes.h"
+#include "view/buffers.h"
 #include "view/frame.h"
 #include "view/ground.h"
 #include "view/marks.h"
@@ -16,42 +17,6 @@ namespace {
 // Texture units and the place of the frame block, the same in all programs.
 enum Unit { shadow_unit, light_unit, depth_unit, occlusion_unit };
 constexpr GLuint frame_binding = 0;
-
-// What a picture of one size is drawn into before it is finished.
-struct Canvas {
-  int width, height, samples;
-  bool plain;
-  gl::Texture light, depth, mark_depth, occlusion;
-  gl::Framebuffer framebuffer, mark_framebuffer, occlusion_framebuffer;
-
-  Canvas(int w, int h, int s, bool p)
-      : width(w),
-        height(h),
-        samples(s),
-        plain(p),
-        light(gl::make_texture(p ? gl::picture_format : gl::hdr_format, w * s, h * s, GL_NEAREST)),
-        depth(gl::make_texture(gl::depth_format, w * s, h * s, GL_NEAREST)),
-        mark_depth(gl::make_texture(gl::depth_format, w * s, h * s, GL_NEAREST)),
-        occlusion(gl::make_texture(gl::grey_format, w, h, GL_NEAREST)),
-        framebuffer(gl::make_framebuffer(light, depth)),
-        mark_framebuffer(gl::make_framebuffer(light, mark_depth)),
-        occlusion_framebuffer(gl::make_framebuffer(occlusion, 0)) {}
-};
-
-struct ShadowMap {
-  int texels;
-  gl::Texture depth;
-  gl::Framebuffer framebuffer;
-
-  explicit ShadowMap(int size)
-      : texels(size),
-        depth(gl::make_texture(gl::depth_format, size, size, GL_LINEAR)),
-        framebuffer(gl::make_framebuffer(0, depth)) {
-    glBindTexture(GL_TEXTURE_2D, depth);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
-  }
-};
 
 void begin_pass(GLuint framebuffer, int width, int height, bool depth_test) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -87,7 +52,7 @@ struct Renderer::Impl {
   Bodies bodies;
   Boxes boxes;
   Marks marks;
-  std::optional<Canvas> canvas;
+  std::optional<Layers> layers;
   std::optional<ShadowMap> shadow_map;
 
   Impl() {
@@ -123,7 +88,7 @@ struct Renderer::Impl {
     glBindBufferBase(GL_UNIFORM_BUFFER, frame_binding, frame_buffer);
   }
 
-  const Lit& lit() const { return canvas->plain ? plain : fine; }
+  const Lit& lit() const { return layers->plain ? plain : fine; }
 
   void draw_screen() const {
     glBindVertexArray(none);
@@ -143,7 +108,7 @@ struct Renderer::Impl {
   }
 
   void draw_solids(const Scene& scene, const Camera& camera, const Focus& focus, const Style& style) const {
-    begin_pass(canvas->framebuffer, canvas->width * canvas->samples, canvas->height * canvas->samples, true);
+    begin_pass(layers->framebuffer, layers->width * layers->samples, layers->height * layers->samples, true);
     glClear(GL_DEPTH_BUFFER_BIT);
     gl::bind(shadow_unit, shadow_map->depth);
     glEnable(GL_CULL_FACE);
@@ -160,14 +125,14 @@ struct Renderer::Impl {
   }
 
   void draw_occlusion() const {
-    begin_pass(canvas->occlusion_framebuffer, canvas->width, canvas->height, false);
-    gl::bind(depth_unit, canvas->depth);
+    begin_pass(layers->occlusion_framebuffer, layers->width, layers->height, false);
+    gl::bind(depth_unit, layers->depth);
     occlusion.use();
     draw_screen();
   }
 
   void draw_over(const Scene& scene, const Camera& camera, const Focus& focus) const {
-    begin_pass(canvas->framebuffer, canvas->width * canvas->samples, canvas->height * canvas->samples, true);
+    begin_pass(layers->framebuffer, layers->width * layers->samples, layers->height * layers->samples, true);
     glEnable(GL_BLEND);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
@@ -177,9 +142,9 @@ struct Renderer::Impl {
   }
 
   void draw_boxes() const {
-    begin_pass(canvas->framebuffer, canvas->width * canvas->samples, canvas->height * canvas->samples, true);
+    begin_pass(layers->framebuffer, layers->width * layers->samples, layers->height * layers->samples, true);
     glDepthMask(GL_FALSE);
-    glLineWidth(float(canvas->samples));
+    glLineWidth(float(layers->samples));
     lit().mark.use();
     boxes.draw();
     glLineWidth(1);
@@ -188,26 +153,26 @@ struct Renderer::Impl {
 
   // Marks hide each other but nothing hides them: they have a depth buffer of their own.
   void draw_marks() const {
-    begin_pass(canvas->mark_framebuffer, canvas->width * canvas->samples, canvas->height * canvas->samples, true);
+    begin_pass(layers->mark_framebuffer, layers->width * layers->samples, layers->height * layers->samples, true);
     glClear(GL_DEPTH_BUFFER_BIT);
     lit().mark.use();
     marks.draw();
   }
 
   void finish(const Style& style, const Target& target) const {
-    if (canvas->plain) {
-      glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas->framebuffer);
+    if (layers->plain) {
+      glBindFramebuffer(GL_READ_FRAMEBUFFER, layers->framebuffer);
       glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target.framebuffer);
-      glBlitFramebuffer(0, 0, canvas->width, canvas->height, 0, 0, target.width, target.height, GL_COLOR_BUFFER_BIT,
+      glBlitFramebuffer(0, 0, layers->width, layers->height, 0, 0, target.width, target.height, GL_COLOR_BUFFER_BIT,
                         GL_NEAREST);
       return;
     }
     begin_pass(target.framebuffer, target.width, target.height, false);
-    gl::bind(light_unit, canvas->light);
-    gl::bind(depth_unit, canvas->depth);
-    gl::bind(occlusion_unit, canvas->occlusion);
+    gl::bind(light_unit, layers->light);
+    gl::bind(depth_unit, layers->depth);
+    gl::bind(occlusion_unit, layers->occlusion);
     resolve.use();
-    resolve.set("samples", canvas->samples);
+    resolve.set("samples", layers->samples);
     resolve.set("occluded", style.occlusion ? 1 : 0);
     draw_screen();
   }
@@ -234,9 +199,9 @@ Renderer::~Renderer() = default;
 void Renderer::draw(const Scene& scene, const Camera& camera, const Style& style, const Target& target) {
   Impl& r = *impl_;
   const int samples = style.plain ? 1 : style.samples;
-  if (!r.canvas || r.canvas->width != target.width || r.canvas->height != target.height ||
-      r.canvas->samples != samples || r.canvas->plain != style.plain) {
-    r.canvas.emplace(target.width, target.height, samples, style.plain);
+  if (!r.layers || r.layers->width != target.width || r.layers->height != target.height ||
+      r.layers->samples != samples || r.layers->plain != style.plain) {
+    r.layers.emplace(target.width, target.height, samples, style.plain);
   }
   if (!r.shadow_map || r.shadow_map->texels != style.shadow_texels) r.shadow_map.emplace(style.shadow_texels);
   const Focus focus = focus_of(scene);

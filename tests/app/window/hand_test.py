@@ -26,6 +26,19 @@ class Hand(harness.WindowTest):
         self.until(lambda s: not s["recording"], "the recording ends")
         self.replayed()
 
+    def test_a_scenario_without_its_body_is_told_once(self):
+        self.open("wall")
+        self.pause()
+        self.click_at(*BRICK)
+        self.until(lambda s: s["selected"] >= 0, "a click selects a brick, which the scenario watches")
+        self.key("Delete", "p")
+        s = self.until(lambda s: s["abandoned"], "the scenario misses its brick")
+        self.assertIn("without it", s["message"])
+        later = self.until(lambda now: now["steps"] > s["steps"] + 20, "the world goes on")
+        self.assertEqual(later["messages"], s["messages"], "it is told once")
+        self.key("r")
+        self.until(lambda now: now["run"] == s["run"] + 1 and now["steps"] > 20 and not now["abandoned"], "R starts anew")
+
     def test_added_bodies_are_seen(self):
         self.open("dominoes")
         self.pause()
@@ -62,14 +75,14 @@ class Hand(harness.WindowTest):
         self.open("wall")
         self.pause()
         before = self.picture()
-        self.xdotool("mousemove", *BRICK, "click", 1)
+        self.click_at(*BRICK)
         self.until(lambda s: s["selected"] >= 0, "a click selects")
         self.until_changed(before, "the selected brick")
         self.key("Escape")
         self.until(lambda s: s["selected"] == -1, "Esc deselects")
-        self.xdotool("click", 1)
+        self.click()
         self.until(lambda s: s["selected"] >= 0, "a click selects again")
-        self.xdotool("mousemove", 640, 40, "click", 1)
+        self.click_at(640, 40)
         self.until(lambda s: s["selected"] == -1, "a click on the sky deselects")
         self.assertTrue(self.state()["paused"])
 
@@ -96,7 +109,7 @@ class Hand(harness.WindowTest):
             self.drag(2, ground, (650, 555), (660, 550))
             self.xdotool("keyup", "shift")
         moves("Shift and the middle button", ["eye", "target"], shift_middle)
-        moves("the wheel", ["eye", "target"], lambda: self.xdotool("mousemove", *ground, "click", 4, "click", 4))
+        moves("the wheel", ["eye", "target"], lambda: (self.xdotool("mousemove", *ground), self.click(4, 2)))
 
         def fly(key):
             before = self.state()["eye"]
@@ -130,7 +143,7 @@ class Hand(harness.WindowTest):
         """The first one that a click in the picture's middle rows meets."""
         for x in range(400, 900, 25):
             for y in (330, 300, 360, 270, 390):
-                self.xdotool("mousemove", x, y, "click", 1)
+                self.click_at(x, y)
                 if self.next_pictures()["selected"] >= 0:
                     return
         self.fail("no body was met")

@@ -37,7 +37,7 @@ class Panels(harness.WindowTest):
         choose("Run", "Movie into out/, stop", becomes(filming=True))
         choose("Run", "Movie into out/, stop", becomes(filming=False))
 
-        self.xdotool("mousemove", 620, 440, "click", 1)
+        self.click_at(620, 440)
         self.until(lambda s: s["selected"] >= 0, "a brick is selected")
         choose("Show", "Show the selected body, or all", turns("eye"))
         choose("Show", "Show all", turns("eye"))
@@ -117,7 +117,8 @@ class Panels(harness.WindowTest):
         self.assertTrue(s["recording"])
         self.until(lambda s: s["steps"] > 20, "the new run goes on")
         # Ctrl and a click: the slider becomes a field.
-        self.xdotool("keydown", "ctrl", "mousemove", *self.place("columns", 0.2), "click", 1, "keyup", "ctrl")
+        self.xdotool("keydown", "ctrl", "mousemove", *self.place("columns", 0.2), "mousedown", 1, "mouseup", 1,
+                     "keyup", "ctrl")
         self.xdotool("key", "3", "Return")
         s = self.until(lambda s: s["parameters"]["columns"] == 3, "a typed value restarts")
         self.assertEqual(s["run"], before["run"] + 2)

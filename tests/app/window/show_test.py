@@ -64,7 +64,7 @@ class Show(harness.WindowTest):
             self.until_changed(before, f"colouring {colouring}", 500)
             before = self.picture()
         self.assertEqual(harness.changed(by_body, before), 0)
-        self.key("p")
+        self.key("plus", "plus", "plus", "p")  # ten times real time
         self.until(lambda s: s["asleep"] > 20, "bricks fall asleep")
         self.pause()
         self.toggles("l", "sleep_shown")
