@@ -35,6 +35,10 @@ void CameraControl::look(double dx, double dy) {
   camera_.target = camera_.eye + turned(camera_.target - camera_.eye, dx, -dy);
 }
 
+void CameraControl::look_as_far_as(double distance) {
+  camera_.target = camera_.eye + normalize(camera_.target - camera_.eye) * Real(distance);
+}
+
 void CameraControl::pan(double dx, double dy, double height) {
   const Frame3 f = axes(camera_);
   const double pixel = 2 * distance(camera_) * double(sudar::tan(camera_.field_of_view / 2)) / height;

@@ -17,6 +17,7 @@ class CameraControl {
   void zoom(double clicks, const Ray& towards);  // what the ray shows stays under the mouse
   void fly(const Vec3& way, double seconds);     // right, up, forward, each −1…1
   void look(double dx, double dy);               // turns the head
+  void look_as_far_as(double distance);          // puts the target there, in the same direction
   void look_at(const Pos&);                      // slides there
   void frame(const Pos& centre, double radius);
 

@@ -68,7 +68,7 @@ void Filming::add(const view::Canvas& canvas) {
 }
 
 void Filming::finish() {
-  post([&simulation = simulation_](Reel& reel) { simulation.say(reel.movie->finish()); });
+  post([&simulation = simulation_](Reel& reel) { simulation.say("Movie: " + reel.movie->finish()); });
 }
 
 }

@@ -7,13 +7,20 @@
 
 namespace sudar::ui {
 
+// The mouse points elsewhere when it moves, and when the camera does.
+void Hand::aim() {
+  const Area& area = controls_.area;
+  controls_.pointer = controls_.camera.ray(x_ - area.x, y_ - area.y, area.width, area.height);
+}
+
 void Hand::take(const InputEvent& e, const Area& area) {
   using Kind = InputEvent::Kind;
+  aim();
   if (e.kind == Kind::key) return key(e);
   if (e.kind == Kind::wheel) return controls_.camera.zoom(e.y, controls_.pointer);
   const double dx = e.x - x_, dy = e.y - y_;
   x_ = e.x, y_ = e.y;
-  controls_.pointer = controls_.camera.ray(x_ - area.x, y_ - area.y, area.width, area.height);
+  aim();
   if (e.kind == Kind::move) return move(dx, dy, area);
   if (e.down && mode_ == Mode::none) return press(e, area);
   if (!e.down && e.code == button_) release();
@@ -81,6 +88,10 @@ void Hand::fly(double seconds) {
     return Real(int(held(plus)) - int(held(minus)));
   };
   controls_.camera.fly({axis('D', 'A'), axis('E', 'Q'), axis('W', 'S')}, seconds);
+  // What is turned round later lies as far ahead as the scene is away, and the flight slows down near it.
+  const view::Focus& focus = controls_.focus;
+  const double away = double(length(focus.centre - controls_.camera.camera().eye));
+  controls_.camera.look_as_far_as(std::max(away, 0.2 * double(focus.radius)));
 }
 
 }

@@ -17,6 +17,7 @@ class Hand {
 
  private:
   enum class Mode { none, drag, twist, orbit, pan, right };
+  void aim();
   void press(const InputEvent&, const Area&);
   void move(double dx, double dy, const Area&);
   void release();

@@ -73,6 +73,7 @@ void MenuBar::transport() {
       ImGui::SetTooltip("%s (%s)", b.does, b.shortcut);
     }
   };
+  const auto red = [](const char* text) { ImGui::TextColored({1, 0.35f, 0.3f, 1}, "%s", text); };
   const View& v = controls_.view();
   ImGui::Separator();
   button(v.paused ? "▶ Run" : "■ Pause", Action::pause);
@@ -82,7 +83,8 @@ void MenuBar::transport() {
   button("−", Action::slower);
   ImGui::Text("×%g", v.speed);
   button("+", Action::faster);
-  if (controls_.moment() && controls_.moment()->recording) { ImGui::TextColored({1, 0.35f, 0.3f, 1}, "● recording"); }
+  if (controls_.moment() && controls_.moment()->recording) red("● recording");
+  if (controls_.filming) red("● movie");
 }
 
 int MenuBar::draw() {

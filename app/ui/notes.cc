@@ -9,6 +9,13 @@ namespace {
 constexpr float margin = 12;  // pixels
 constexpr auto message_stays = std::chrono::seconds(6);
 
+// A key or button of the mouse in a table, and what it does.
+void row(const char* what, const char* does) {
+  ImGui::TableNextColumn(), ImGui::TextColored({0.55f, 0.78f, 1, 1}, "%s", what);
+  ImGui::TableNextColumn(), ImGui::TextUnformatted(does);
+  ImGui::SameLine(), ImGui::Dummy({margin, 0});  // before the next column
+}
+
 }
 
 void Notes::keys(const Area& area) {
@@ -16,7 +23,10 @@ void Notes::keys(const Area& area) {
   if (!m || m->keys.empty() || m->abandoned) return;
   begin_note("keys", float(area.x) + margin, float(area.y) + margin, {0, 0});
   ImGui::TextDisabled(controls_.view().paused ? "keys of this scenario, while it runs" : "keys of this scenario");
-  for (const KeyHelp& k : m->keys) ImGui::Text("%-12s %s", k.key, k.does);
+  if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
+    for (const KeyHelp& k : m->keys) row(k.key, k.does);
+    ImGui::EndTable();
+  }
   ImGui::End();
 }
 
@@ -44,10 +54,6 @@ void Notes::message(const Area& area) {
 
 void Notes::help(const Area& area) {
   begin_note("help", float(area.x) + float(area.width) / 2, float(area.y) + float(area.height) / 2, {0.5f, 0.5f});
-  const auto row = [](const char* what, const char* does) {
-    ImGui::TableNextColumn(), ImGui::TextUnformatted(what);
-    ImGui::TableNextColumn(), ImGui::TextDisabled("%s", does);
-  };
   if (ImGui::BeginTable("keys", 4, ImGuiTableFlags_SizingFixedFit)) {
     for (const Binding& b : bindings()) {
       if (*b.shortcut) row(b.shortcut, b.does);

@@ -51,6 +51,7 @@ void Panels::scenarios() {
     if (own != group) ImGui::TextDisabled("%s", own.c_str());
     group = own;
     const bool current = controls_.moment() && controls_.moment()->entry == e;
+    if (current && std::exchange(listed_, e) != e) ImGui::SetScrollHereY();
     const bool clicked =
         ImGui::Selectable(("   " + place.substr(place.find('/') + 1) + "##" + e->name).c_str(), current);
     controls_.places.note(std::string("scenario: ") + e->name);

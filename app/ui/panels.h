@@ -24,6 +24,7 @@ class Panels {
   MenuBar menu_bar_{controls_};
   Notes notes_{controls_};
   char search_[64] = "";
+  const ScenarioEntry* listed_ = nullptr;  // the one that the list was last scrolled to
   std::map<std::string, double> edited_;  // parameters, until the run has them
   std::int64_t edited_run_ = 0;
 };

@@ -17,7 +17,7 @@ void begin_panel(const char* name, float x, float y, float width, float height, 
 
 void begin_note(const char* name, float x, float y, ImVec2 pivot) {
   ImGui::SetNextWindowPos({x, y}, ImGuiCond_Always, pivot);
-  ImGui::SetNextWindowBgAlpha(0.75f);
+  ImGui::SetNextWindowBgAlpha(0.85f);
   ImGui::Begin(
       name, nullptr,
       plain | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoInputs);

@@ -1,5 +1,5 @@
-// The state of the window in a file, for tests and scripts: one JSON object, replaced as a whole with every picture: who
-// has pressed a key waits for the number of pictures to grow by two, and what it reads then has the answer.
+// The state of the window in a file, for tests and scripts: one JSON object, replaced as a whole with every picture:
+// who has pressed a key waits for the number of pictures to grow by two, and what it reads then has the answer.
 #pragma once
 
 #include "ui/controls.h"

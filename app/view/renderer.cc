@@ -112,10 +112,11 @@ struct Renderer::Impl {
     glClear(GL_DEPTH_BUFFER_BIT);
     gl::bind(shadow_unit, shadow_map->depth);
     glEnable(GL_CULL_FACE);
-    if (style.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    if (style.wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE), glLineWidth(float(layers->samples));
     lit().body.use();
     bodies.draw();
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glLineWidth(1);
     glDisable(GL_CULL_FACE);
     lit().ground.draw(scene, camera, focus, false);
     glDepthFunc(GL_LEQUAL);  // the sky lies exactly on the far plane

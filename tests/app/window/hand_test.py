@@ -27,12 +27,12 @@ class Hand(harness.WindowTest):
         self.replayed()
 
     def test_a_scenario_without_its_body_is_told_once(self):
-        self.open("wall")
+        self.open("towers")
         self.pause()
-        self.click_at(*BRICK)
-        self.until(lambda s: s["selected"] >= 0, "a click selects a brick, which the scenario watches")
+        self.click_at(*self.pixel_of([0, 10, 0]))
+        self.until(lambda s: s["selected"] >= 0, "a click selects a cube, which the scenario watches")
         self.key("Delete", "p")
-        s = self.until(lambda s: s["abandoned"], "the scenario misses its brick")
+        s = self.until(lambda s: s["abandoned"], "the scenario misses its cube")
         self.assertIn("without it", s["message"])
         later = self.until(lambda now: now["steps"] > s["steps"] + 20, "the world goes on")
         self.assertEqual(later["messages"], s["messages"], "it is told once")

@@ -17,7 +17,7 @@ import time
 import unittest
 
 PROGRAM = None
-PATIENCE = float(os.environ.get("PATIENCE", 60))  # s, for anything that is waited for
+PATIENCE = float(os.environ.get("PATIENCE", 180))  # s, for anything that is waited for
 WIDTH, HEIGHT = 960, 640                           # of the window, at the screen's top left
 SIDE = 300                                         # width of the panel at the left
 

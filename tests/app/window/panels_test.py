@@ -95,11 +95,11 @@ class Panels(harness.WindowTest):
 
     def test_list_and_search_with_the_mouse(self):
         self.open("cradle")
-        self.press("scenario: spin")
-        self.until(lambda s: s["scene"] == "spin", "a click in the list starts a scenario")
+        self.press("scenario: elastic_row")
+        self.until(lambda s: s["scene"] == "elastic_row", "a click in the list starts a scenario")
         self.press("search")
         self.xdotool("type", "--delay", "5", "dominoes")
-        self.until(lambda s: "scenario: dominoes" in s["places"] and "scenario: spin" not in s["places"],
+        self.until(lambda s: "scenario: dominoes" in s["places"] and "scenario: elastic_row" not in s["places"],
                    "the list is narrowed")
         self.press("scenario: dominoes")
         self.until(lambda s: s["scene"] == "dominoes", "a click starts what was found")

@@ -94,7 +94,7 @@ class Show(harness.WindowTest):
         self.until(lambda s: s["steps"] > steps + 100, "the run goes on")
         self.key("v")
         self.until(lambda s: not s["filming"], "V ends the movie")
-        file = self.file_told("out/")
+        file = self.file_told("Movie: ")
         self.assertTrue(os.path.basename(file).startswith("cradle"), file)
         seconds = subprocess.check_output(["ffprobe", "-v", "error", "-show_entries", "format=duration", "-of",
                                            "csv=p=0", file], text=True)
