@@ -1,7 +1,18 @@
 #include "verify/case.h"
 
 #include <cmath>
+#include <sstream>
+
 namespace sudar::verify {
+
+bool Parameter::whole() const { return std::string_view(unit) == whole_number; }
+
+std::string Parameter::range() const {
+  std::ostringstream s;
+  s << (whole() ? "a whole number " : "") << low << " … " << high;
+  if (!whole() && std::string_view(unit) != "1") s << ' ' << unit;
+  return s.str();
+}
 
 Values values_of(const Case& c, const Values& set) {
   Values values;
@@ -10,18 +21,18 @@ Values values_of(const Case& c, const Values& set) {
     if (!values.contains(name)) throw Error(name, std::string("is no parameter of ") + c.id);
     values[name] = value;
   }
+  for (const Parameter& p : c.parameters) {
+    const double value = values[p.name];
+    if (value >= p.low && value <= p.high && (!p.whole() || value == std::round(value))) continue;
+    std::ostringstream s;
+    s << value << " given, " << c.id << " expects " << p.range();
+    throw Error(p.name, s.str());
+  }
   return values;
 }
 
 Run::Run(const Case& c, const Values& set, const Setting& setting)
-    : case_(c), values_(values_of(c, set)), setting_(setting) {
-  for (const Parameter& p : c.parameters) {
-    const double value = values_.at(p.name);
-    if (value >= p.low && value <= p.high) continue;
-    throw Error(p.name, "is " + std::to_string(value) + ", must be within " + std::to_string(p.low) + " and " +
-                            std::to_string(p.high));
-  }
-}
+    : case_(c), values_(values_of(c, set)), setting_(setting) {}
 
 double Run::operator[](std::string_view parameter) const { return values_.at(std::string(parameter)); }
 

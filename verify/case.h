@@ -32,7 +32,10 @@ struct Parameter {
   const char* name;
   double value, low, high;
   const char* unit;
+  bool whole() const;         // a whole number
+  std::string range() const;  // "0.1 … 10 m"
 };
+inline constexpr const char* whole_number = "whole number";  // as a unit
 
 // How much is run: quick is part of the tests, full takes its time.
 enum class Effort { quick, normal, full };
@@ -143,7 +146,7 @@ class Run {
   Picture picture_;
 };
 
-// The value of the parameter in the set, or its default.
+// The value of the parameter in the set, or its default. Throws Error for one that the case does not know or allow.
 Values values_of(const Case&, const Values& set);
 
 }

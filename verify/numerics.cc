@@ -15,6 +15,20 @@ double elliptic_k(double m) {
   return std::acos(-1.0) / (2 * a);
 }
 
+double elliptic_f(double phi, double m) {
+  double a = 1, b = std::sqrt(1 - m), times = 1;
+  while (std::fabs(a - b) > 1e-15 * a) {
+    // tan(φ' − φ) = b/a tan φ, with φ' − φ in the same quadrant as φ.
+    const double more = std::atan2(b * std::sin(phi), a * std::cos(phi)), turn = 2 * std::acos(-1.0);
+    phi += more + turn * std::round((phi - more) / turn);
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+    times *= 2;
+  }
+  return phi / (times * a);
+}
+
 Jacobi jacobi(double u, double m) {
   // The arithmetic-geometric mean of 1 and √(1−m) with its differences c, then φ back from level n: A&S 16.4.2–16.4.4.
   std::vector<double> a{1}, c{std::sqrt(m)};
@@ -129,7 +143,9 @@ Step try_step(const Rate& f, double t, const Vector& y, double h) {
 // Advances until t1, or until `stop` says so of the step just made; gives the beginning of that step.
 Moment advance(const Rate& f, double t, Vector y, double t1, const std::function<bool(double, const Vector&)>& stop) {
   double h = (t1 - t) / 100;
+  int tries = 0;
   while (t < t1) {
+    if (++tries > 100000) throw Error("solve_ode", "the solution ends: something comes to rest");
     h = std::min(h, t1 - t);
     const Step step = try_step(f, t, y, h);
     if (!std::isfinite(step.error)) throw Error("solve_ode", "the solution is not finite");

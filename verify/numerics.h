@@ -15,6 +15,9 @@ namespace sudar::verify {
 // Complete elliptic integral of the first kind K(m), m = k² < 1, by the arithmetic-geometric mean.
 double elliptic_k(double m);
 
+// The incomplete one, F(φ | m), 0 ≤ φ ≤ π/2 (Abramowitz & Stegun 17.6).
+double elliptic_f(double phi, double m);
+
 // Jacobi's sn, cn, dn of u with parameter m, 0 ≤ m < 1 (descending Landen transformation, Abramowitz & Stegun 16.4).
 struct Jacobi {
   double sn, cn, dn;
@@ -35,7 +38,7 @@ double root(const std::function<double(double)>& f, double a, double b);
 // y' = f(t, y) by Dormand & Prince's method of order 5 with step control, error per step below 1e-11 of the state.
 using Vector = std::vector<double>;
 using Rate = std::function<Vector(double t, const Vector& y)>;
-// The state at the end.
+// The state at the end. Throws Error where the solution ends: at a singular point.
 Vector solve_ode(const Rate& f, double t0, Vector y, double t1);
 // Goes on from t0 until g(t, y) changes from negative to positive; gives that moment and state. Throws Error when it
 // has not by `latest`.

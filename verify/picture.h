@@ -1,5 +1,6 @@
 // A world as an SVG picture without OpenGL: parallel projection, bodies as the outlines of their faces, the nearer over
-// the farther. Enough to see what a case is about. Several moments may be drawn into one picture, the earlier ones faint.
+// the farther. Enough to see what a case is about. Several moments may be drawn into one picture, the earlier ones
+// faint.
 #pragma once
 
 #include <sudar/world.h>
@@ -35,7 +36,7 @@ class Picture {
     std::vector<Item> items;
     std::vector<Floor> floors;
     std::vector<std::vector<Point>> joints;  // from one end by way of the pulleys to the other
-    Vec3d middle;  // of the bodies that move
+    Vec3d middle;                            // of the bodies that move
   };
   struct Frame;  // what part of the plane is seen, and where on the paper
   Frame frame() const;

@@ -136,7 +136,7 @@ std::string case_page(const Group& g, const std::string& engine) {
          "</h2>\n<p class=\"faint\">";
     for (const Parameter& p : c.parameters) {
       s += escaped(p.name) + " = " + number(r->parameters.at(p.name)) + " " +
-           (std::string_view(p.unit) == "1" ? "" : escaped(p.unit)) + " &nbsp; ";
+           (p.whole() || std::string_view(p.unit) == "1" ? "" : escaped(p.unit)) + " &nbsp; ";
     }
     s += "</p>\n";
     if (!r->failure.empty()) s += "<p class=\"bad\">" + escaped(r->failure) + "</p>\n";

@@ -41,9 +41,7 @@ struct VerifyOptions {
 void list_cases() {
   for (const Case& c : all_cases()) {
     std::printf("%-5s %-16s %s\n", c.id, c.group, c.title);
-    for (const Parameter& p : c.parameters) {
-      std::printf("%24s = %g %s (%g … %g)\n", p.name, p.value, p.unit, p.low, p.high);
-    }
+    for (const Parameter& p : c.parameters) { std::printf("%24s = %g (%s)\n", p.name, p.value, p.range().c_str()); }
   }
 }
 

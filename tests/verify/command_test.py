@@ -79,9 +79,13 @@ def pages(folder):
 def laws():
     one = json.loads(run("V07", "--set", "angle=45", "--json").stdout)
     expect({e["parameters"]["angle"] for e in one} == {45}, "--set does not reach the case")
-    for bad in (["V99"], ["V07", "--set", "colour=1"], ["V07", "--set", "angle=500"], ["--quick", "--full"]):
+    for bad, why in ((["V99"], "is no case"), (["V07", "--set", "colour=1"], "is no parameter"),
+                     (["V07", "--set", "angle=500"], "angle: 500 given, V07 expects 1 … 179.5 °"),
+                     (["V07", "--set", "angle=steep"], "a number expected"), (["V07", "--set", "angle"], "NAME=VALUE"),
+                     (["V10", "--set", "balls=2.5"], "2.5 given, V10 expects a whole number 2 … 20"),
+                     (["--solver", "newton"], "expected: "), (["--quick", "--full"], "exclude each other")):
         refused = run(*bad)
-        expect(refused.returncode != 0 and refused.stderr + refused.stdout, f"{bad} is not refused")
+        expect(refused.returncode != 0 and why in refused.stderr, f"{bad}: {refused.returncode} {refused.stderr}")
 
 
 with tempfile.TemporaryDirectory() as temporary:

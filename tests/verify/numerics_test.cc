@@ -17,6 +17,14 @@ TEST(Numerics, EllipticIntegral) {
   EXPECT_NEAR(elliptic_k(0.99), 3.695637362989875, 1e-13);
 }
 
+TEST(Numerics, IncompleteEllipticIntegral) {
+  for (double m : {0.0, 0.3, 0.99}) {
+    const auto speed = [&](double angle) { return 1 / std::sqrt(1 - m * square(std::sin(angle))); };
+    for (double phi : {0.1, 0.8, 1.4}) EXPECT_NEAR(elliptic_f(phi, m), integral(speed, 0, phi), 1e-12);
+    EXPECT_NEAR(elliptic_f(pi / 2, m), elliptic_k(m), 1e-12);
+  }
+}
+
 TEST(Numerics, JacobiFunctionsSolveTheirEquation) {
   const double m = 0.7;
   const Rate law = [&](double, const Vector& y) { return Vector{y[1] * y[2], -y[0] * y[2], -m * y[0] * y[1]}; };
@@ -41,6 +49,11 @@ TEST(Numerics, EquationsOfMotionAndEvents) {
   EXPECT_NEAR(quarter.t, elliptic_k(std::pow(std::sin(1.25), 2)), 1e-9);
   EXPECT_NEAR(quarter.y[1], -2 * std::sin(1.25), 1e-9);
   EXPECT_THROW(solve_until(pendulum, 0, {0.1, 0}, 100, [](double, const Vector& y) { return y[0] - 1; }), Error);
+}
+
+TEST(Numerics, SolutionsThatEnd) {
+  const Rate sliding = [](double, const Vector& y) { return Vector{y[1], y[1] > 0 ? -1.0 : 1.0}; };  // rubs to rest
+  EXPECT_THROW(solve_ode(sliding, 0, {0, 0.5}, 2), Error);
 }
 
 TEST(Numerics, Roots) {

@@ -218,7 +218,7 @@ std::vector<Case> arches() {
        .group = "Structures",
        .formula = "least thickness 0.1075 R of a half circle; tan θᵢ = Vᵢ/H",
        .source = "Milankovitch 1907; the line of thrust as linear inequalities; statics of a chain of rods",
-       .parameters = {{"stones", 16, 6, 60, "1"}, {"rods", 20, 2, 100, "1"}, {"span", 3, 1, 3.9, "m"}},
+       .parameters = {{"stones", 16, 6, 60, whole_number}, {"rods", 20, 2, 100, whole_number}, {"span", 3, 1, 3.9, "m"}},
        .sets = {{"twelve stones", {{"stones", 12}, {"span", 2}}}},
        .run = arch,
        .without = {"thickness", "impulses", "gravity"}},

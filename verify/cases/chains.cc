@@ -126,9 +126,11 @@ void spring_servo(Run& run) {
   const double h = double(w.config().dt) / w.config().substeps;
   double angle = 0, rate = 0;
   Plot& plot = run.plot("Angle", "t [s]", "rad");
-  const double decay = c / (2 * inertia), swing = std::sqrt(k / inertia - square(decay));
-  const auto exact = [&](double t) {
-    return 1 - std::exp(-decay * t) * (std::cos(swing * t) + decay / swing * std::sin(swing * t));
+  const double decay = c / (2 * inertia), squared = k / inertia - square(decay), swing = std::sqrt(std::fabs(squared));
+  const auto exact = [&](double t) {  // swings, or creeps
+    const double even = squared > 0 ? std::cos(swing * t) : std::cosh(swing * t);
+    const double odd = squared > 0 ? std::sin(swing * t) : std::sinh(swing * t);
+    return 1 - std::exp(-decay * t) * (even + decay / swing * odd);
   };
   run.until(w, until, [&] {
     for (int n = 0; n < w.config().substeps; ++n) {
@@ -153,7 +155,7 @@ void pulley_and_yoyo(Run& run) {
   weight.at = {1, 0, 0}, weight.mass = Real(light);
   const Body b = w.add(weight);
   const Joint pulley =
-      w.join(Pulley{.a = a, .b = b, .at_a = {-1, 0, 0}, .over_a = {-1, 3, 0}, .over_b = {1, 3, 0}, .at_b = {1, 0, 0}});
+      w.join(Pulley{.a = a, .b = b, .at_a = {-1, 0, 0}, .over_a = {-1, 6, 0}, .over_b = {1, 6, 0}, .at_b = {1, 0, 0}});
   const Body disc = w.add({.shape = cylinder(Real(r), Real(0.02)),
                            .at = {Real(4 - r), 0, 0},
                            .turn = axis_angle(Vec3{1, 0, 0}, Real(pi / 2)),
@@ -188,7 +190,7 @@ std::vector<Case> chains() {
        .group = "Joints",
        .formula = "v² = 2 g x (1 − x/2L)/(1 − x/L): T = 0.8472 of the free fall; a free chain's joints bear nothing",
        .source = "Calkin & March, Am. J. Phys. 57 (1989) 154; quadrature",
-       .parameters = {{"links", 61, 11, 301, "1"}, {"length", 3, 0.5, 30, "m"}},
+       .parameters = {{"links", 61, 11, 301, whole_number}, {"length", 3, 0.5, 30, "m"}},
        .sets = {{"41 links", {{"links", 41}}}},
        .run = falling_chain,
        .without = {"gravity", "impulses"},
@@ -212,7 +214,9 @@ std::vector<Case> chains() {
        .group = "Joints",
        .formula = "joint k bears (M + (N − k) m) g, stretch 0",
        .source = "statics",
-       .parameters = {{"links", 20, 2, 200, "1"}, {"link", 1, 0.01, 100, "kg"}, {"weight", 1000, 0, 1e5, "kg"}},
+       .parameters = {{"links", 20, 2, 200, whole_number},
+                      {"link", 1, 0.01, 100, "kg"},
+                      {"weight", 1000, 0.1, 1e5, "kg"}},
        .sets = {{"1 kg", {{"weight", 1}}}, {"100 kg", {{"weight", 100}}}, {"100 links", {{"links", 100}}}},
        .run = heavy_weight,
        .without = {"impulses", "gravity"},

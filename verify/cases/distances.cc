@@ -169,7 +169,7 @@ std::vector<Case> distances() {
        .group = "Geometry",
        .formula = "d − ½ − √½, d − √2, d − ½ − √¾; random pairs: corners and edges enumerated, fifteen axes",
        .source = "enumeration",
-       .parameters = {{"distance", 2, 1.5, 10, "m"}, {"seed", 1, 0, 1e9, "1"}, {"pairs", 200, 1, 1e5, "1"}},
+       .parameters = {{"distance", 2, 1.5, 10, "m"}, {"seed", 1, 0, 1e9, whole_number}, {"pairs", 200, 1, 1e5, whole_number}},
        .sets = {{"others", {{"distance", 3}, {"seed", 7}}}},
        .run = box_distances,
        .without = {"the right place"},

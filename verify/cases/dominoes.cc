@@ -94,7 +94,7 @@ std::vector<Case> domino_rows() {
            .formula =
                "fixed point of the energy of a train that leans on its front; h sin(θₙ − θₙ₊₁) = (s + d) cos θₙ₊₁ − d",
            .source = "van Leeuwen, arXiv:physics/0401018; quadrature",
-           .parameters = {{"dominoes", 40, 10, 200, "1"},
+           .parameters = {{"dominoes", 40, 10, 200, whole_number},
                           {"height", 1, 0.2, 10, "m"},
                           {"thickness", 0.1, 0.02, 0.3, "heights"},
                           {"gap", 0.3, 0.1, 0.8, "heights"}},

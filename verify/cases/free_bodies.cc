@@ -233,7 +233,7 @@ std::vector<Case> free_bodies() {
        .group = "Free bodies",
        .formula = "phase step φ = 2 asin(ω h/2); v²/2 + ω²x²/2 − ½ h ω² x v is exactly constant",
        .source = "Hairer, Lubich, Wanner, Geometric Numerical Integration, I.1",
-       .parameters = {{"omega", 10, 0.1, 60, "rad/s"}, {"steps", 600, 10, 1e5, "1"}},
+       .parameters = {{"omega", 10, 0.1, 60, "rad/s"}, {"steps", 600, 10, 1e5, whole_number}},
        .sets = {{"stiff", {{"omega", 40}, {"steps", 300}}}},
        .run = oscillator,
        .without = {"spring"}},

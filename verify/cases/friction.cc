@@ -267,7 +267,7 @@ std::vector<Case> friction() {
        .group = "Friction",
        .formula = "slips for v/μg, v²/2μg far",
        .source = "Coulomb's law",
-       .parameters = {{"friction", 0.4, 0.05, 1, "1"}, {"speed", 2, 0.1, 5, "m/s"}, {"surface", 0, 0, 1, "1"}},
+       .parameters = {{"friction", 0.4, 0.05, 1, "1"}, {"speed", 2, 0.1, 5, "m/s"}, {"surface", 0, 0, 1, whole_number}},
        .sets = {{"slow", {{"speed", 1}, {"friction", 0.2}}}, {"moving surface", {{"surface", 1}}}},
        .run = conveyor,
        .without = {"friction", "gravity"},

@@ -128,6 +128,7 @@ void aslant(Run& run) {
 void struck_rod(Run& run) {
   const double l = run["length"], m = run["mass"], mb = run["ball"], v = run["speed"], d = run["arm"];
   const double thickness = 0.02, inertia = m * l * l / 12, impulse = 2 * v / (1 / mb + 1 / m + d * d / inertia);
+  if (d > l / 2) throw Error("arm", "is longer than half the rod");
   World w(run.config());
   const Material elastic = material(0, run.with("restitution", 1));
   BodyDef def = thin_rod(l, m, thickness);
@@ -175,6 +176,7 @@ void struck_rod(Run& run) {
     plot.simulation.emplace_back(p.time(), angle);
   });
   const double rise = whole * omega * omega / 2 / weighs;
+  if (rise > 2) throw Error("bullet speed", "the pendulum goes over the top");
   run.relative("ballistic: swing", "°", std::acos(1 - rise) * 180 / pi, swing, 1e-3);
 }
 
@@ -182,7 +184,7 @@ void struck_rod(Run& run) {
 
 std::vector<Case> impacts() {
   const std::vector<Parameter> row = {
-      {"balls", 5, 2, 20, "1"}, {"gap", 0.001, 0, 0.1, "diameters"}, {"speed", 1, 0.1, 10, "m/s"}};
+      {"balls", 5, 2, 20, whole_number}, {"gap", 0.001, 0, 0.1, "diameters"}, {"speed", 1, 0.1, 10, "m/s"}};
   std::vector<Parameter> touching = row;
   touching[1].value = 0;
   return {

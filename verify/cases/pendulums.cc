@@ -334,7 +334,7 @@ std::vector<Case> pendulums() {
        .group = "Joints",
        .formula = "θ¨ = −g sin θ; ω² = v² + 2 G/I (1 − cos θ), I = (N+1)/3 + N, G = ((N+1)/2 + N) g",
        .source = "IFToMM library of computational benchmark problems; 1 kHz",
-       .parameters = {{"loops", 2, 1, 20, "1"}, {"speed", 1, 0.2, 5, "m/s"}},
+       .parameters = {{"loops", 2, 1, 20, whole_number}, {"speed", 1, 0.2, 5, "m/s"}},
        .sets = {{"three loops", {{"loops", 3}, {"speed", 2}}}},
        .run = linkage,
        .without = {"gravity", "impulses"},

@@ -25,8 +25,7 @@ FreeRotation free_rotation(std::array<double, 3> i, std::array<double, 3> w) {
   r.amplitude = std::sqrt(high / (i[1] * (i[2] - i[1])));
   r.rate = std::sqrt((i[2] - i[1]) * low / (i[0] * i[1] * i[2]));
   r.m = (i[1] - i[0]) * high / ((i[2] - i[1]) * low);
-  const auto speed = [&](double angle) { return 1 / std::sqrt(1 - r.m * square(std::sin(angle))); };
-  const double early = integral(speed, 0, std::asin(w[1] / r.amplitude));
+  const double early = std::copysign(elliptic_f(std::asin(std::fabs(w[1]) / r.amplitude), r.m), w[1]);
   r.phase = w[0] * w[2] > 0 ? early : 2 * elliptic_k(r.m) - early;  // ω₂ rises or falls at the start
   return r;
 }
@@ -68,8 +67,8 @@ void dzhanibekov(Run& run) {
     worst_energy = std::max(worst_energy, std::fabs(w[b].kinetic_energy() / energy - 1));
   });
   const auto seen = [&](std::size_t n) { return zeros.moments().size() > n ? zeros.moments()[n] : std::nan(""); };
-  run.check("first turn", "s", exact.zero(1), seen(0), 0.02);
-  run.check("third turn", "s", exact.zero(3), seen(2), 0.02);
+  if (exact.zero(1) < run["time"]) run.check("first turn", "s", exact.zero(1), seen(0), 0.02);
+  if (exact.zero(3) < run["time"]) run.check("third turn", "s", exact.zero(3), seen(2), 0.02);
   run.below("drift of |L|", "1", worst_momentum, 1e-6);
   run.below("drift of the energy", "1", worst_energy, 1e-5);
 }

@@ -260,7 +260,7 @@ std::vector<Case> solids() {
        .group = "Geometry",
        .formula = "signed tetrahedra: V = Σ det/6, ∫x = Σ det (a+b+c)/24, ∫xxᵀ = Σ det (aaᵀ + bbᵀ + ccᵀ + ssᵀ)/120",
        .source = "faces by exact integers; x ← 1664525 x + 1013904223 mod 2³²",
-       .parameters = {{"seed", 1, 0, 1e9, "1"}, {"points", 12, 4, 200, "1"}},
+       .parameters = {{"seed", 1, 0, 1e9, whole_number}, {"points", 12, 4, 200, whole_number}},
        .sets = {{"24 points", {{"seed", 2}, {"points", 24}}}, {"60 points", {{"seed", 3}, {"points", 60}}}},
        .run = random_hull,
        .without = {"all coordinates"},
