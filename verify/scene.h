@@ -44,4 +44,10 @@ inline BodyDef thin_rod(double length, double mass, double thickness = 0.01) {
           .inertia = Mat3::diagonal({across / 1000, across, across})};
 }
 
+// A body of unit mass whose moment of inertia is k m R²: ²⁄₅ solid, ½ as a cylinder, ⅔ a shell, 1 a hoop.
+inline BodyDef round_body(double radius, double k, const Material& m) {
+  const Real moment = Real(k * radius * radius);
+  return {.shape = sphere(Real(radius)), .mass = 1, .inertia = Mat3::diagonal({moment, moment, moment}), .material = m};
+}
+
 }

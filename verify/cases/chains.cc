@@ -115,72 +115,6 @@ void heavy_weight(Run& run) {
   }
 }
 
-// V28. A turning body on a spring: the damped oscillator, and exactly the recursion of the implicit Euler method.
-void spring_servo(Run& run) {
-  const double inertia = run["inertia"], k = run["stiffness"], c = run["damping"], until = 0.7;
-  World w(run.config());
-  const double r = std::sqrt(inertia / 0.4);
-  const Body b = w.add({.shape = sphere(Real(r)), .mass = 1});
-  const Drive spring{.mode = DriveMode::spring, .target = 1, .force = 1e6, .stiffness = Real(k), .damping = Real(c)};
-  const Joint j = w.join(Hinge{.b = b, .axis = {0, 1, 0}, .drive = spring});
-  const double h = double(w.config().dt) / w.config().substeps;
-  double angle = 0, rate = 0;
-  Plot& plot = run.plot("Angle", "t [s]", "rad");
-  const double decay = c / (2 * inertia), squared = k / inertia - square(decay), swing = std::sqrt(std::fabs(squared));
-  const auto exact = [&](double t) {  // swings, or creeps
-    const double even = squared > 0 ? std::cos(swing * t) : std::cosh(swing * t);
-    const double odd = squared > 0 ? std::sin(swing * t) : std::sinh(swing * t);
-    return 1 - std::exp(-decay * t) * (even + decay / swing * odd);
-  };
-  run.until(w, until, [&] {
-    for (int n = 0; n < w.config().substeps; ++n) {
-      rate = (inertia * rate + h * k * (1 - angle)) / (inertia + h * c + h * h * k);
-      angle += h * rate;
-    }
-    plot.theory.emplace_back(w.time(), exact(w.time()));
-    plot.simulation.emplace_back(w.time(), double(w[j].coordinate()));
-  });
-  run.check("angle, by the recursion", "rad", angle, double(w[j].coordinate()), 1e-5);
-  run.deviation(std::fabs(exact(w.time()) - double(w[j].coordinate())));
-  run.relative("angle, of the oscillator", "rad", exact(w.time()), double(w[j].coordinate()), 0.02);
-}
-
-// V60. Two weights on a rope over a wheel without mass; a solid disc that unrolls from its rope.
-void pulley_and_yoyo(Run& run) {
-  const double g = standard_gravity, heavy = run["heavy"], light = run["light"], r = run["radius"], seconds = 1;
-  World w(run.config());
-  add_gravity(run, w);
-  BodyDef weight{.shape = sphere(Real(0.1)), .at = {-1, 0, 0}, .mass = Real(heavy)};
-  const Body a = w.add(weight);
-  weight.at = {1, 0, 0}, weight.mass = Real(light);
-  const Body b = w.add(weight);
-  const Joint pulley =
-      w.join(Pulley{.a = a, .b = b, .at_a = {-1, 0, 0}, .over_a = {-1, 6, 0}, .over_b = {1, 6, 0}, .at_b = {1, 0, 0}});
-  const Body disc = w.add({.shape = cylinder(Real(r), Real(0.02)),
-                           .at = {Real(4 - r), 0, 0},
-                           .turn = axis_angle(Vec3{1, 0, 0}, Real(pi / 2)),
-                           .mass = 1});
-  const Joint rope =
-      w.join(Reel{.b = disc, .at_a = {4, 3, 0}, .at = {Real(4 - r), 0, 0}, .axis = {0, 0, 1}, .radius = Real(r)});
-  double pull = 0, pull_of_disc = 0;
-  const double a1 = g * (heavy - light) / (heavy + light);
-  Plot& plot = run.plot("Velocity of Atwood's heavy weight", "t [s]", "v [m/s]");
-  Plot& unrolls = run.plot("Velocity of the yo-yo", "t [s]", "v [m/s]");
-  run.until(w, seconds, [&] {
-    plot.theory.emplace_back(w.time(), a1 * w.time());
-    plot.simulation.emplace_back(w.time(), -double(w[a].velocity().y));
-    unrolls.theory.emplace_back(w.time(), 2 * g / 3 * w.time());
-    unrolls.simulation.emplace_back(w.time(), -double(w[disc].velocity().y));
-    pull += double(length(w[pulley].load().force));
-    pull_of_disc += double(length(w[rope].load().force));
-  });
-  const double steps = double(w.steps()), t = w.time();
-  run.relative("Atwood: acceleration", "m/s²", a1, -double(w[a].velocity().y) / t, 1e-3);
-  run.relative("Atwood: tension", "N", 2 * heavy * light / (heavy + light) * g, pull / steps, 1e-3);
-  run.relative("yo-yo: acceleration", "m/s²", 2 * g / 3, -double(w[disc].velocity().y) / t, 1e-3);
-  run.relative("yo-yo: tension", "N", g / 3, pull_of_disc / steps, 1e-3);
-}
-
 }
 
 std::vector<Case> chains() {
@@ -195,20 +129,6 @@ std::vector<Case> chains() {
        .run = falling_chain,
        .without = {"gravity", "impulses"},
        .bite = {.values = {{"links", 21}}, .substeps = 16}},
-      {.id = "V28",
-       .title = "Spring servo",
-       .group = "Joints",
-       .formula = "I θ¨ = k (θ₁ − θ) − c θ˙, implicit: ω ← (I ω + h k (θ₁ − θ))/(I + h c + h² k)",
-       .source = "damped oscillator",
-       .parameters = {{"inertia", 2, 0.01, 100, "kg m²"},
-                      {"stiffness", 50, 0.1, 1e4, "N m/rad"},
-                      {"damping", 4, 0, 100, "N m s/rad"}},
-       .sets = {{"weak", {{"stiffness", 10}, {"damping", 1}}}},
-       .run = spring_servo,
-       .without = {"impulses"},
-       .others = "Jolt's tests repeat the implicit recursion",
-       .sweep = "the angle of the oscillator",
-       .order = 1},
       {.id = "V44",
        .title = "Weight on a chain",
        .group = "Joints",
@@ -224,17 +144,6 @@ std::vector<Case> chains() {
        .others = "20 links, 1 : 1 Jolt 0.3 %, Rapier 0.9 %, Havok 1.5 %; 100 : 1 Rapier 10 %, Jolt 12 %; 1000 : 1 "
                  "Box3D 27 %, Havok "
                  "85 %, the others over 100 %"},
-      {.id = "V60",
-       .title = "Atwood's machine, yo-yo",
-       .group = "Joints",
-       .formula = "a = g (m₁ − m₂)/(m₁ + m₂); a = ⅔ g",
-       .source = "energy",
-       .parameters = {{"heavy", 3, 0.1, 1000, "kg"},
-                      {"light", 2, 0.1, 1000, "kg"},
-                      {"radius", 0.1, 0.01, 1, "m, of the yo-yo"}},
-       .sets = {{"3 : 1", {{"light", 1}, {"radius", 0.3}}}},
-       .run = pulley_and_yoyo,
-       .without = {"impulses", "gravity"}},
   };
 }
 

@@ -1,4 +1,4 @@
-// Pendulums on joints: one rod, two, a weight on a bar, linkages.
+// Pendulums on joints: one rod, two, linkages.
 #include <algorithm>
 #include <cmath>
 
@@ -134,78 +134,6 @@ void double_pendulum(Run& run) {
   run.check("change of the energy in a minute", "%", 0, 100 * energy.change() / (e0 - bottom), 0.5);
 }
 
-// V26. A weight on a bar: the conical pendulum; two weights on a bar: the dumbbell.
-void bar_joint(Run& run) {
-  const double l = run["length"], m = run["mass"], cone = run["cone"] * pi / 180, g = standard_gravity;
-  const double omega = std::sqrt(g / (l * std::cos(cone)));
-  World w(run.config());
-  add_gravity(run, w);
-  const double r = l * std::sin(cone), y = -l * std::cos(cone);
-  const Body weight =
-      w.add({.shape = sphere(0.05), .at = {r, y, 0}, .velocity = {0, 0, Real(-omega * r)}, .mass = Real(m)});
-  const Joint bar = w.join(Bar{.b = weight, .at_b = {r, y, 0}});
-  double phi = 0, before = 0, tension = 0, n = 0;
-  const double t = 10;
-  Plot& plot = run.plot("Angle of the conical pendulum", "t [s]", "φ [rad]");
-  run.until(w, t, [&] {
-    const Pos p = w[weight].center();
-    const double angle = std::atan2(-p.z, p.x);
-    phi += std::remainder(angle - before, 2 * pi);
-    before = angle;
-    plot.theory.emplace_back(w.time(), omega * w.time());
-    plot.simulation.emplace_back(w.time(), phi);
-    tension += double(length(w[bar].load().force)), ++n;
-  });
-  run.relative("turns of the conical pendulum", "rad/s", omega, phi / t, 1e-3);
-  run.deviation(std::fabs(phi / t - omega));
-  run.relative("pull of its bar, mean", "N", m * g / std::cos(cone), tension / n, 1e-3);
-
-  const double spin = run["spin"];
-  World free(run.config());
-  std::array<Body, 2> ends;
-  for (int k : {0, 1}) {
-    const Real side = k == 0 ? 1 : -1;
-    ends[std::size_t(k)] = free.add(
-        {.shape = sphere(0.05), .at = {side * l, 0, 0}, .velocity = {0, Real(spin * l) * side, 0}, .mass = Real(m)});
-  }
-  const Joint rod = free.join(Bar{.a = ends[0], .b = ends[1], .at_a = {l, 0, 0}, .at_b = {-l, 0, 0}});
-  tension = n = 0;
-  run.until(free, t, [&] { tension += double(length(free[rod].load().force)), ++n; });
-  run.relative("pull in the dumbbell, mean", "N", m * spin * spin * l, tension / n, 1e-3);
-  run.relative("speed of the dumbbell's ends", "m/s", spin * l, double(length(free[ends[0]].velocity())), 1e-3);
-}
-
-// V27. Force of the joint on a rod that is let go level: along the rod ⁵⁄₂ sin θ, across it ¼ cos θ, in weights, with θ
-// the angle below the horizontal. A load is the mean over a sub-step, so it is compared with the law at its middle.
-void joint_load(Run& run) {
-  const double l = run["length"], m = run["mass"], g = standard_gravity, weight = m * g;
-  World w(run.fine_config());
-  add_gravity(run, w);
-  const Body rod = w.add(hanging_rod({}, l, m, pi / 2));
-  const Joint ball = w.join(Ball{.b = rod});
-  const Rate law = [&](double, const Vector& y) { return Vector{y[1], 1.5 * g / l * std::cos(y[0])}; };
-  const double quarter = solve_until(law, 0, {0, 0}, 100, [](double, const Vector& y) { return y[0] - pi / 2; }).t;
-  const double half = w.config().dt / 2, t = run["time"];
-  double radial = 0, across = 0, radial_exact = 0, across_exact = 0, most = 0;
-  Plot& plot = run.plot("Force along the rod", "t [s]", "F/mg");
-  run.until(w, 1.2 * quarter, [&] {
-    const double theta = solve_ode(law, 0, {0, 0}, w.time() - half)[0];
-    const Vec3 along = rotate(w[rod].pose().q, Vec3{1, 0, 0}), force = w[ball].load().force;
-    // The load acts in the middle of the sub-step, where the rod was turned half a step less.
-    const Vec3 then = rotate(rotation(w[rod].spin() * Real(-half)), along);
-    const double pull = -double(dot(force, then)) / weight;
-    most = std::max(most, pull);
-    plot.theory.emplace_back(w.time() - half, 2.5 * std::sin(theta));
-    plot.simulation.emplace_back(w.time() - half, pull);
-    if (std::fabs(w.time() - t) > half) return;
-    radial = pull, radial_exact = 2.5 * std::sin(theta);
-    across = double(length(force + then * Real(pull * weight))) / weight, across_exact = 0.25 * std::cos(theta);
-  });
-  run.relative("force along the rod", "m g", radial_exact, radial, 0.002);
-  run.relative("force across the rod", "m g", across_exact, across, 0.002);
-  run.relative("largest force along the rod", "m g", 2.5, most, 0.002);
-}
-
 // V61. IFToMM benchmarks: A01, the simple pendulum; A02, a row of N four-bar linkages, which moves as one pendulum of
 // inertia (N+1)/3 + N and weight moment ((N+1)/2 + N) g.
 void linkage(Run& run) {
@@ -305,30 +233,6 @@ std::vector<Case> pendulums() {
        .without = {"gravity", "impulses"},
        .sweep = "the angles at 1 s",
        .order = 2},
-      {.id = "V26",
-       .title = "Bar joint: conical pendulum and dumbbell",
-       .group = "Joints",
-       .formula = "ω = √(g/(L cos α)), T = m g/cos α; T = m ω² r",
-       .source = "circular motion",
-       .parameters = {{"length", 1, 0.1, 10, "m"},
-                      {"mass", 1, 0.01, 100, "kg"},
-                      {"cone", 40, 5, 80, "°"},
-                      {"spin", 5, 0.5, 30, "rad/s"}},
-       .sets = {{"60°", {{"cone", 60}, {"spin", 3}}}},
-       .run = bar_joint,
-       .without = {"impulses", "gravity"},
-       .sweep = "the turns of the conical pendulum",
-       .order = 2},
-      {.id = "V27",
-       .title = "Force of a ball joint on a falling rod",
-       .group = "Joints",
-       .formula = "along the rod ⁵⁄₂ m g sin θ, across it ¼ m g cos θ",
-       .source = "energy and angular momentum about the pivot",
-       .parameters = {{"length", 1, 0.1, 10, "m"}, {"mass", 1, 0.01, 100, "kg"}, {"time", 0.3, 0.02, 0.5, "s"}},
-       .sets = {{"long", {{"length", 2}, {"time", 0.4}}}},
-       .run = joint_load,
-       .without = {"gravity", "impulses"},
-       .others = "Box3D: largest force 24.507 of 24.525 N"},
       {.id = "V61",
        .title = "IFToMM A01 and A02",
        .group = "Joints",

@@ -200,7 +200,8 @@ std::vector<Case> simbenchmark() {
        .group = "SimBenchmark",
        .formula = "stands for 60 000 steps of 10 ms",
        .source = "leggedrobotics/SimBenchmark; 102 blocks 5 × 20 × 10 cm",
-       .parameters = {step(1e-2), slop, {"passes", 80, 1, 80, whole_number}, {"steps", 60000, 100, 60000, whole_number}},
+       .parameters =
+           {step(1e-2), slop, {"passes", 80, 1, 80, whole_number}, {"steps", 60000, 100, 60000, whole_number}},
        .sets = {{"40 passes", {{"passes", 40}}}, {"10 passes", {{"passes", 10}}}},
        .run = kapla,
        .without = {"impulses"},
