@@ -56,7 +56,7 @@ def machine_seconds():
 class Window:
     def __init__(self, program, screen, folder, size, quality, keys):
         self.command = [program, "--scenarios", os.path.join(os.path.dirname(program), "../lib/bench")]
-        self.folder, self.status = folder, os.path.join(folder, "status")
+        self.screen, self.folder, self.status = screen, folder, os.path.join(folder, "status")
         self.environment = dict(os.environ, DISPLAY=screen.display, LIBGL_ALWAYS_SOFTWARE="1")
         self.program = subprocess.Popen([*self.command, "--size", size, "--quality", quality, "--status", self.status,
                                          "heap"], cwd=folder, env=self.environment)
@@ -85,15 +85,16 @@ class Window:
 
     def measure(self, seconds, turning):
         def now():
-            return (time.monotonic(), machine_seconds(), *thread_seconds(self.program.pid), self.state())
-        start, machine, physics, drawing, before = now()
+            return (time.monotonic(), machine_seconds(), *thread_seconds(self.program.pid),
+                    sum(thread_seconds(self.screen.server.pid)), self.state())
+        start, machine, physics, drawing, server, before = now()
         self.turn(seconds) if turning else time.sleep(seconds)
-        end, machine2, physics2, drawing2, after = now()
-        passed, physics, drawing = end - start, physics2 - physics, drawing2 - drawing
+        end, machine2, physics2, drawing2, server2, after = now()
+        passed, physics, drawing, server = end - start, physics2 - physics, drawing2 - drawing, server2 - server
         pictures, steps = after["pictures"] - before["pictures"], after["steps"] - before["steps"]
         return {"pictures/s": pictures / passed, "ms a picture": 1e3 * drawing / max(1, pictures),
                 "steps/s": steps / passed, "ms a step": 1e3 * physics / steps if steps else 0,
-                "others": (machine2 - machine - physics - drawing) / passed}
+                "X server": server / passed, "others": (machine2 - machine - physics - drawing - server) / passed}
 
     def replays(self):
         """Records some steps; does a run without a window come to the same state?"""

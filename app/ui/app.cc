@@ -27,11 +27,12 @@ class App {
         fixed_quality_(options.quality) {}
 
   void loop() {
+    draw_panels(), gui_.end();  // what they leave for the picture decides from where a scene is seen
     Clock::time_point last = Clock::now();
     while (!window_.closing()) {
       const double due = frame_length() - std::chrono::duration<double>(Clock::now() - last).count();
       const std::vector<InputEvent> events = window_.wait(std::max(0.0, due));
-      if (!events.empty()) events_left_ = 2;  // what follows may show a picture later
+      if (!events.empty()) events_left_ = 2, last_event_ = Clock::now();  // what follows may show a picture later
       gui_.take(events);
       const double passed = std::chrono::duration<double>(Clock::now() - last).count();
       if (passed < frame_length() && events_left_ == 0) continue;
@@ -46,8 +47,11 @@ class App {
   void start(const ScenarioEntry& entry) { controls_.start(entry); }
 
  private:
-  // 60 pictures a second; where nothing moves, 30 of the panels.
-  double frame_length() const { return controls_.view().paused && events_left_ == 0 ? 1.0 / 30 : 1.0 / 60; }
+  // 60 pictures a second; where nothing moves, 30 of the panels, and 10 when nobody has touched anything for a while.
+  double frame_length() const {
+    if (!controls_.view().paused || events_left_ > 0) return 1.0 / 60;
+    return Clock::now() - last_event_ < std::chrono::milliseconds(500) ? 1.0 / 30 : 1.0 / 10;
+  }
 
   void draw() {
     controls_.look(simulation_.view(), double(controls_.area.width) / std::max(1, controls_.area.height));
@@ -168,6 +172,7 @@ class App {
   int judged_ = 0;  // pictures since it changed
   Clock::time_point moved_ = Clock::now();
   int events_left_ = 0;
+  Clock::time_point last_event_ = Clock::now();
   std::int64_t titled_ = 0;
 };
 

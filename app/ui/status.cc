@@ -78,6 +78,7 @@ void StatusFile::write(const Controls& c, const Window& window, double frames_pe
       {"message", v.message},
       {"messages", v.messages},
       {"pictures", pictures_},
+      {"scenes", c.scenes},
       {"fps", frames_per_second},
       {"window", {window.width(), window.height()}},
       {"area", {c.area.x, c.area.y, c.area.width, c.area.height}},

@@ -132,7 +132,8 @@ Camera framing(const Scene& scene, double aspect) {
                       sudar::cos(azimuth) * sudar::cos(elevation)};
   const Frame3 axes = looking_along(-towards);
   const float margin = 1.1f, half = float(camera.field_of_view) / 2;
-  const float slope_y = sudar::tan(half) / margin, slope_x = slope_y * float(aspect);
+  constexpr float narrowest = 0.05f;  // a window may have no width
+  const float slope_y = sudar::tan(half) / margin, slope_x = slope_y * max(float(aspect), narrowest);
 
   // The distance at which each ball just stays inside each of the four sides; then the target moves sideways until
   // opposite sides need the same. Twice, since one depends a little on the other.
