@@ -151,7 +151,6 @@ void heavy_top(Run& run) {
   const std::size_t periods = zeros.empty() ? 0 : (zeros.size() - 1) / 2;
   const double period = periods > 0 ? (zeros[2 * periods] - zeros[0]) / double(periods) : std::nan("");
   run.relative("period of the nutation", "s", exact.period, period, 0.02);
-  run.deviation(std::fabs(period - exact.period));
   run.relative("mean precession", "rad/s", exact.advance / exact.period, phi / 5, 0.01);
   run.check("largest tilt", "°", std::acos(exact.lowest) * 180 / pi, most * 180 / pi, 0.3);
   run.check("least tilt", "°", run["tilt"], least * 180 / pi, 0.3);
@@ -241,10 +240,7 @@ std::vector<Case> rotations() {
                       {"spin", 150, 20, 1000, "rad/s"}},
        .sets = {{"60°", {{"tilt", 60}, {"spin", 200}}}},
        .run = heavy_top,
-       .without = {"gravity", "impulses"},
-       .sweep = "the period of the nutation",
-       .order = 2,
-       .sweep_from = 16},
+       .without = {"gravity", "impulses"}},
       {.id = "V51",
        .title = "Gyroscope on a ball joint",
        .group = "Joints",
