@@ -31,8 +31,7 @@ Values values_of(const Case& c, const Values& set) {
   return values;
 }
 
-Run::Run(const Case& c, const Values& set, const Setting& setting)
-    : case_(c), values_(values_of(c, set)), setting_(setting) {}
+Run::Run(const Case& c, const Values& set, const Setting& setting) : values_(values_of(c, set)), setting_(setting) {}
 
 double Run::operator[](std::string_view parameter) const { return values_.at(std::string(parameter)); }
 

@@ -5,9 +5,9 @@
 // A case is a row of data with one function. It reads its parameters from a Run, makes a world, and states quantities:
 //   void free_fall(Run& run) {
 //     World w(run.config());
-//     w.add(Gravity{{0, Real(-run.with("gravity", 9.81)), 0}});
+//     add_gravity(run, w);
 //     const Body b = w.add({.shape = sphere(0.1), .at = {0, run["height"], 0}});
-//     run.until(w, 2, [] {});
+//     run.until(w, 2);
 //     run.check("height", "m", fallen(…), w[b].center().y, 5e-5);
 //   }
 // Its physics can be taken away: `without` names what, with("gravity", x) then gives 0. "impulses" and "contact areas"
@@ -71,8 +71,7 @@ struct Bite {
   Effort effort = Effort::quick;  // from which on it is tested
 };
 
-// A case in one world of one solver with one set of parameters.
-class Run;
+class Run;  // a case in one world of one solver with one set of parameters
 
 struct Case {
   const char *id, *title, *group;
@@ -137,7 +136,6 @@ class Run {
   const Picture& picture() const { return picture_; }  // before and after
 
  private:
-  const Case& case_;
   Values values_;
   Setting setting_;
   std::vector<Quantity> quantities_;

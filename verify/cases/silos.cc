@@ -39,10 +39,15 @@ void add_floor(World& w, double hole, double outer, const Material& m) {
   }
 }
 
+double beverloo(double density, double hole) {  // grains a second
+  return 0.58 * density * std::sqrt(standard_gravity) * std::pow(hole - 1.4, 2.5);
+}
+
 // The law holds while the bed is higher than twice the hole: longer is not measured.
 Discharge discharge(Run& run, World& w, std::vector<Body> grains, double hole) {
   const double width = run["width"], density = double(grains.size()) / (width * width * top_of(w, grains)),
                begin = w.time(), least = 2 * hole * density * width * width;
+  const double law = beverloo(density, hole), falls = std::sqrt(2 * 5 / standard_gravity);  // s, to where they count
   std::vector<std::pair<double, double>> out;
   double gone = 0;
   Plot& plot = run.plot("Grains that ran out of a hole of " + std::to_string(int(hole)) + " d", "t [s]", "n");
@@ -54,8 +59,7 @@ Discharge discharge(Run& run, World& w, std::vector<Body> grains, double hole) {
       return true;
     });
     plot.simulation.emplace_back(w.time() - begin, gone);
-    plot.theory.emplace_back(w.time() - begin, 0.58 * density * std::sqrt(standard_gravity) *
-                                                   std::pow(hole - 1.4, 2.5) * (w.time() - begin));
+    plot.theory.emplace_back(w.time() - begin, law * std::max(0.0, w.time() - begin - falls));
     if (w.time() > begin + 1 && double(grains.size()) > least) out.emplace_back(w.time(), gone);
   });
   return {slope(out), density};
@@ -81,8 +85,7 @@ void hourglass(Run& run) {
     if (!run.without("hole")) w.remove(plug);
     const auto [flow, density] = discharge(run, w, grains, hole);
     logs.emplace_back(std::log(hole - 1.4), std::log(std::max(flow, 1e-9)));
-    if (hole == run["hole"])
-      got = flow, exact = 0.58 * density * std::sqrt(standard_gravity) * std::pow(hole - 1.4, 2.5);
+    if (hole == run["hole"]) got = flow, exact = beverloo(density, hole);
   }
   run.relative("grains a second", "1/s", exact, got, 0.1);
   run.check("exponent of D − 1.4 d", "1", 2.5, slope(logs), 0.1);
