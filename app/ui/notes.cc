@@ -24,7 +24,7 @@ void Notes::keys(const Area& area) {
   begin_note("keys", float(area.x) + margin, float(area.y) + margin, {0, 0});
   ImGui::TextDisabled(controls_.view().paused ? "keys of this scenario, while it runs" : "keys of this scenario");
   if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit)) {
-    for (const KeyHelp& k : m->keys) row(k.key, k.does);
+    for (const KeyHelp& k : m->keys) row(k.key, k.does), controls_.places.note(std::string("key: ") + k.key);
     ImGui::EndTable();
   }
   ImGui::End();
@@ -58,6 +58,7 @@ void Notes::help(const Area& area) {
     for (const Binding& b : bindings()) {
       if (*b.shortcut) row(b.shortcut, b.does);
     }
+    row("→, Shift+→", "step, ten steps, when paused");
     row("left on a body", "select, drag with a spring");
     row("Ctrl + left", "twist the body");
     row("left beside, middle", "turn the camera");

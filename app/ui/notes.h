@@ -8,7 +8,7 @@ namespace sudar::ui {
 
 class Notes {
  public:
-  explicit Notes(const Controls& controls) : controls_(controls) {}
+  explicit Notes(Controls& controls) : controls_(controls) {}
   void draw(const Area&);
 
  private:
@@ -17,7 +17,7 @@ class Notes {
   void message(const Area&);
   void help(const Area&);
 
-  const Controls& controls_;
+  Controls& controls_;
   std::int64_t seen_message_ = 0;
   Clock::time_point message_since_{};
 };

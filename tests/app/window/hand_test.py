@@ -73,7 +73,7 @@ class Hand(harness.WindowTest):
 
     def test_select_and_cancel(self):
         self.open("wall")
-        self.pause()
+        self.pause_at_start()
         before = self.picture()
         self.click_at(*BRICK)
         self.until(lambda s: s["selected"] >= 0, "a click selects")
@@ -121,8 +121,8 @@ class Hand(harness.WindowTest):
         moves("Home", ["eye", "target"], lambda: self.key("Home"))
 
     def test_frame_and_follow(self):
-        all_of_it = self.open("dominoes")["eye"]
-        self.pause()
+        self.open("dominoes")
+        self.pause_at_start()
         self.key("Home")
         all_of_it = self.next_pictures()["eye"]
         self.choose_a_body()

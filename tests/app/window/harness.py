@@ -170,6 +170,14 @@ class WindowTest(unittest.TestCase):
         self.until(lambda s: s["paused"], "P pauses")
         return self.next_pictures()
 
+    def pause_at_start(self):
+        """However long the machine took to get here: what moves in the scene still does."""
+        self.pause()
+        run = self.state()["run"]
+        self.key("r")
+        self.until(lambda s: s["run"] == run + 1 and s["steps"] == 0, "R restarts")
+        return self.next_pictures()
+
     def place(self, widget, share=0.5):
         """Where the widget stands; the side panel is scrolled until it is seen."""
         pictures = self.next_pictures()["pictures"]

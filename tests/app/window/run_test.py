@@ -20,7 +20,6 @@ class Run(harness.WindowTest):
             self.key(key)
             steps += more
             self.until(lambda s: s["steps"] == steps, f"{key} makes {more} steps")
-        self.until_changed(still, "the dominoes further on", 3)
         run = self.state()["run"]
         for key in ("r", "BackSpace"):
             run += 1
@@ -28,6 +27,7 @@ class Run(harness.WindowTest):
             s = self.until(lambda s: s["run"] == run, f"{key} restarts")
             self.assertEqual(s["steps"], 0)
             self.assertTrue(s["paused"])
+        self.until_changed(still, "the dominoes stand again")
         self.key("p")
         self.until(lambda s: not s["paused"] and s["steps"] > 0, "P runs")
         self.key("ctrl+q")
@@ -60,7 +60,9 @@ class Run(harness.WindowTest):
 
     def test_a_scenarios_keys_win_while_it_runs(self):
         self.open("vehicle")
-        self.until(lambda s: s["steps"] > 30, "the vehicle stands")
+        s = self.until(lambda s: s["steps"] > 30, "the vehicle stands")
+        self.assertEqual({place for place in s["places"] if place.startswith("key: ")},
+                         {f"key: {key}" for key in ("up", "down", "left", "right")}, "its keys stand on the screen")
         self.key("ctrl+shift+r")
         before = self.until(lambda s: s["recording"], "the recording begins")["fastest"]
         self.xdotool("keydown", "Up")
