@@ -53,7 +53,7 @@ std::size_t Bodies::mesh_of(const Shape& shape) {
 
 // How fine it has to be depends on how large it is seen: in a picture of 720 rows 0.01 is 10 pixels.
 std::size_t Bodies::mesh_for(const Shape& shape, std::size_t finest, float distance, bool plain) const {
-  const float apparent = (plain ? 0.5f : 1.0f) * float(shape.bounding_radius()) / distance;
+  const float apparent = (plain ? 0.4f : 1.0f) * float(shape.bounding_radius()) / distance;
   if (shape.kind() != ShapeKind::sphere) return apparent < 0.014f ? instances_.plainer(finest) : finest;
   return spheres_[apparent < 0.008f ? 0 : apparent < 0.03f ? 1 : apparent < 0.08f ? 2 : 3];
 }
