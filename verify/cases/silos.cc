@@ -165,7 +165,7 @@ std::vector<Case> silos() {
        .sets = {{"another seed", {{"seed", 2}}}},
        .run = hourglass,
        .without = {"hole", "gravity"},
-       .bite = {.values = {{"grains", 1500}, {"width", 10}, {"hole", 5}}, .effort = Effort::full},
+       .bite = {.effort = Effort::full},
        .effort = Effort::full},
       {.id = "V49",
        .title = "Silo",
