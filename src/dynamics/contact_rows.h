@@ -12,12 +12,14 @@ namespace sudar::inline SUDAR_PRECISION {
 struct PointRow {
   Mat3Lanes arm_a, arm_b;    // ω → velocity of the point in the contact's frame
   Mat3Lanes turn_a, turn_b;  // I⁻¹ armᵀ: impulse → change of ω
-  Real4 glide{};             // added to u: how the surfaces move along themselves, x is 0
+  Real4 glide{};             // added to u: how the surfaces move along themselves, and how the contact curves
+  Vec3 curving;              // the second part (curving.h)
   Vec3 impulse;              // accumulated, N s
   Real normal_mass;          // 1 / nᵀKn
   Real tangent_mass;         // 1 / the larger eigenvalue of K in the tangent plane: one number for both directions,
                              // because unequal ones would bend the direction of friction
   Real slide_y, slide_z;     // tangent_mass · Kn: friction that answers a unit normal impulse
+  Real slip_y, slip_z;       // tangent_mass times what the direction of sliding friction leaves out of `glide`
   Real normal_response, tangent_response;  // their inverses
   Real target;                             // u_n that the contact passes aim at
   // used once a sub-step
@@ -71,30 +73,6 @@ inline void apply(Moving& a, Moving& b, const ManifoldRow& m, const PointRow& p,
   b.w -= p.turn_b * step;
 }
 
-// Whose points they are, for half_way(): one answer for all of them. Some on a and others on b would push a coin sideways
-// that spins where the middle of the floor happens to be.
-inline bool points_are_a_s(const ManifoldRow& m) {
-  Real longer = 0;  // how much the arms of a are, squared and along the surface
-  for (const PointRow& p : m.rows()) {
-    longer += length_squared(p.ra) - square(dot(m.frame.c0, p.ra));
-    longer -= length_squared(p.rb) - square(dot(m.frame.c0, p.rb));
-  }
-  return longer <= 0;
-}
-
-// What bodies that spin about the normal change of u_t until the middle of a sub-step of length h. With the velocities
-// of its start, what a turntable carries moves on along the tangent and creeps outward, by ω²rh/2 a second. The contact
-// points keep their places on the body whose arms are the shorter ones: the corners of a box, the lowest point of a ball.
-// They turn with that body's spin, go where that body goes, and are met there by the other one's surface.
-inline Real4 half_way(const ManifoldRow& m, const PointRow& p, bool on_a, const Moving& a, const Moving& b, Real h) {
-  const Real spin_a = dot(m.frame.c0, vector(a.w)), spin_b = dot(m.frame.c0, vector(b.w));
-  const Vec3 v = vector(m.to_frame * (a.v - b.v));
-  const Vec3 arm_a = vector(m.to_frame * lanes(p.ra)), arm_b = vector(m.to_frame * lanes(p.rb));
-  const Vec3 arm = (on_a ? arm_a : arm_b) * ((spin_a - spin_b) * (on_a ? spin_a : spin_b));
-  const Real other = on_a ? spin_b : spin_a;
-  return broadcast(h * Real(0.5)) * Real4{0, other * v.z - arm.y, -other * v.y - arm.z, 0};
-}
-
 inline Real slide(const Vec3& u) { return sqrt(square(u.y) + square(u.z)); }  // the tangential part's length
 
 // 1 / the larger eigenvalue of the tangential block of a symmetric K.
@@ -129,7 +107,9 @@ inline Vec3 answer(const PointRow& p, const Real4& u, Real target, Real relaxati
   Vec3 next = impulse + step;
   const Real most = friction * next.x, tangential = square(next.y) + square(next.z);
   if (tangential > square(most)) {
-    const Real cut = most / sqrt(tangential);
+    next.y += p.slip_y, next.z += p.slip_z;
+    const Real whole = square(next.y) + square(next.z);
+    const Real cut = whole > 0 ? most / sqrt(whole) : Real(0);
     next.y *= cut, next.z *= cut;
     step = next - impulse;
   }

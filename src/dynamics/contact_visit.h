@@ -65,7 +65,7 @@ inline Real push(SolverBodies& on, ManifoldRow& m, std::int64_t& visits) {
   Real change = 0;
   for (PointRow& p : m.rows()) {
     if (p.push_target <= 0) continue;
-    const Real left = p.push_target - relative_velocity(a, b, m, p)[0];
+    const Real left = p.push_target - (relative_velocity(a, b, m, p)[0] - p.glide[0]);
     const Real step = max(-p.push, left * p.normal_mass);
     apply(a, b, m, p, {step, 0, 0});
     change = max(change, abs(step) * p.normal_response);

@@ -5,6 +5,7 @@
 #include "dynamics/as_written.h"
 #include "dynamics/collisions.h"
 #include "dynamics/contact_prepare.h"
+#include "dynamics/curving.h"
 #include "dynamics/free_joints.h"
 #include "dynamics/grouping.h"
 #include "dynamics/integrate.h"
@@ -32,12 +33,14 @@ class MainLoop {
   void run() {
     gather();
     prepare_contacts(s_);
+    look_back(s_);
     group();
     prepare_joints();
     collide(s_);
     aim();
     accelerate_all();
     warm_start();
+    look_ahead(s_);
     hold();
     pull_back();
     if (s_.set.shock_propagation) propagate_shock(s_);
@@ -103,12 +106,10 @@ class MainLoop {
       const Moving &a = s_.on[m.a].real, &b = s_.on[m.b].real;
       Real hardest = 0;
       const PointRow* where = nullptr;
-      const bool on_a = points_are_a_s(m);
       for (PointRow& p : m.rows()) {
         const Real bounce = -m.material.restitution * p.start;
         p.target = p.free_speed;
         if (p.hit && bounce > from_rest) p.target = min(Real(relative_velocity(a, b, m, p)[0]), bounce);
-        p.glide += half_way(m, p, on_a, a, b, s_.h);
         if (p.hit && -p.start > hardest) hardest = -p.start, where = &p;
       }
       if (where != nullptr && hardest > 2 * from_rest) s_.report.hits.push_back({m.contact, where->ra, hardest});

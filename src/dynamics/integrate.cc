@@ -52,10 +52,25 @@ void accelerate(const Bodies& b, std::uint32_t i, const Wrench& load, const Drag
   body.real = {lanes(v), lanes(w)};
 }
 
+namespace {
+
+Vec3 momentum(const Bodies& b, std::uint32_t i, const SolverBody& body) {
+  return b.angular_momentum[i] + b.inertia_world(i) * (vector(body.real.w) - body.spin_before);
+}
+
+}
+
+Ahead ahead(const Bodies& b, std::uint32_t i, const SolverBody& body, Real h) {
+  const Pos p = b.position[i] + vector(body.real.v) * h;
+  const Vec3 w = vector(body.real.w);
+  if (!b.dynamic(i)) return {{p, normalize(rotation(w * h) * b.orientation[i])}, w};
+  const Rotation r = rotate_freely(b.orientation[i], momentum(b, i, body), b.inertia[i], b.inverse_inertia[i], h);
+  return {{p, r.orientation}, r.spin};
+}
+
 bool drift(Bodies& b, std::uint32_t i, const SolverBody& body, Real h) {
   const Vec3 v = vector(body.real.v), push_v = vector(body.push.v), push_w = vector(body.push.w);
-  const Vec3 angular_momentum =
-      b.angular_momentum[i] + b.inertia_world(i) * (vector(body.real.w) - body.spin_before);
+  const Vec3 angular_momentum = momentum(b, i, body);
   Quat q = rotate_freely(b.orientation[i], angular_momentum, b.inertia[i], b.inverse_inertia[i], h).orientation;
   if (push_w != Vec3{}) q = normalize(rotation(push_w * h) * q);
   return take(b, i, {b.position[i] + (v + push_v) * h, q, v, angular_momentum});

@@ -18,6 +18,13 @@ SolverBody solver_body(const Bodies&, std::uint32_t i);
 // h A/m > 1, which large time factors reach. `body` holds the velocities of body i.
 void accelerate(const Bodies&, std::uint32_t i, const Wrench& load, const DragRates& drag, Real h, SolverBody& body);
 
+// Where body i would be, and how it would turn, if it drifted over h with the real velocities in `body`.
+struct Ahead {
+  Pose center;
+  Vec3 spin;
+};
+Ahead ahead(const Bodies&, std::uint32_t i, const SolverBody& body, Real h);
+
 // thesis (3.3): takes over the real velocities in `body` and drifts over h; then turns by the pseudo ones. Returns false, and leaves
 // the body as it was, where its state would not be finite.
 bool drift(Bodies&, std::uint32_t i, const SolverBody& body, Real h);

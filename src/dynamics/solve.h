@@ -3,7 +3,7 @@
 
 #include <sudar/profile.h>
 
-#include "collision/narrow/manifold.h"
+#include "collision/narrow/collide.h"
 #include "dynamics/contacts.h"
 #include "dynamics/forces.h"
 #include "dynamics/joints.h"
@@ -27,6 +27,7 @@ struct SolveInput {
   std::span<const std::uint32_t> awake;   // dynamic bodies, ascending
   std::span<const std::uint32_t> smooth;  // those of them for Runge–Kutta: no contacts, no joints
   std::span<const std::uint32_t> kinematic;
+  std::span<const Geometry* const> geometries;  // by body slot
 };
 
 struct SolveReport {

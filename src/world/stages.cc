@@ -166,7 +166,8 @@ void solve(World::Impl& w) {
   report.hits.clear(), report.broken.clear();
   report.points = 0;
   w.impulse_2007.sub_step(
-      {w.config, Real(w.h), w.forces, w.active_contacts, w.active_joints, w.awake, w.smooth, w.kinematic}, w.bodies,
+      {w.config, Real(w.h), w.forces, w.active_contacts, w.active_joints, w.awake, w.smooth, w.kinematic,
+       w.geometries}, w.bodies,
       w.joints, w.contacts, report);
   for (const SolveReport::Hit& hit : report.hits) {
     const ActiveContact& c = w.active_contacts[hit.contact];

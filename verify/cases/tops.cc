@@ -195,7 +195,7 @@ std::vector<Case> tops() {
        .bite = {.substeps = 512},
        .sweep = "the change of the inclination",
        .order = 1,
-       .sweep_from = 32},
+       .sweep_from = 8},
       {.id = "V32",
        .title = "Rattleback",
        .group = "Rolling",

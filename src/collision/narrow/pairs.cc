@@ -16,21 +16,6 @@ Pose foot(const Pose& plane, const Pos& near) {
   return {plane.p + (d - n * dot(d, n)), plane.q};
 }
 
-// Both poses relative to that of a, except that a half space is taken at its foot, in double: far from its origin a
-// separation keeps its digits.
-void collide_in_place(const Geometry& ga, const Pose& a, const Geometry& gb, const Pose& b, Real margin,
-                      AxisCache& cache, Manifold& out) {
-  if (ga.kind == ShapeKind::half_space) {
-    const Pose at = foot(a, b.p);
-    collide({&ga, {{}, a.q}}, {&gb, {b.p - at.p, b.q}}, margin, cache, out);
-    const Vec3 shift = at.p - a.p;
-    for (int i = 0; i < out.count; ++i) out.points[std::size_t(i)].at += shift;
-  } else {
-    const Pos at = gb.kind == ShapeKind::half_space ? foot(b, a.p).p : b.p;
-    collide({&ga, {{}, a.q}}, {&gb, {at - a.p, b.q}}, margin, cache, out);
-  }
-}
-
 void match(const Manifold& old, Manifold& now) {
   for (int i = 0; i < now.count; ++i) {
     ManifoldPoint& point = now.points[std::size_t(i)];
@@ -40,6 +25,21 @@ void match(const Manifold& old, Manifold& now) {
   }
 }
 
+}
+
+// Both poses relative to that of a, except that a half space is taken at its foot, in double: far from its origin a
+// separation keeps its digits.
+void collide_placed(const Geometry& ga, const Pose& a, const Geometry& gb, const Pose& b, Real margin,
+                    AxisCache& cache, Manifold& out) {
+  if (ga.kind == ShapeKind::half_space) {
+    const Pose at = foot(a, b.p);
+    collide({&ga, {{}, a.q}}, {&gb, {b.p - at.p, b.q}}, margin, cache, out);
+    const Vec3 shift = at.p - a.p;
+    for (int i = 0; i < out.count; ++i) out.points[std::size_t(i)].at += shift;
+  } else {
+    const Pos at = gb.kind == ShapeKind::half_space ? foot(b, a.p).p : b.p;
+    collide({&ga, {{}, a.q}}, {&gb, {at - a.p, b.q}}, margin, cache, out);
+  }
 }
 
 void merge_pairs(std::vector<PairRow>& rows, std::span<const ProxyPair> found) {
@@ -98,7 +98,7 @@ void collide_pairs(std::span<PairRow> rows, std::span<const std::uint32_t> which
     PairRow& row = rows[i];
     const auto [a, b] = row.key;
     const Manifold old = row.manifold;
-    collide_in_place(*geometry[a], pose[a], *geometry[b], pose[b], margin, row.cache, row.manifold);
+    collide_placed(*geometry[a], pose[a], *geometry[b], pose[b], margin, row.cache, row.manifold);
     match(old, row.manifold);
     const bool touched = (old.bits & Manifold::touching) != 0, touches = row.manifold.count > 0;
     if (touches) row.manifold.bits |= Manifold::touching;

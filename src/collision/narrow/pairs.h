@@ -62,6 +62,10 @@ void find_plane_pairs(std::span<const PlaneProxy> planes, std::span<const Proxy>
 void end_pairs(std::vector<PairRow>& rows, std::span<const Proxy> proxies, std::span<const PlaneProxy> planes,
                std::vector<EndedPair>& ended);
 
+// Two bodies' shapes where they are: points relative to a's position, world axes.
+void collide_placed(const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Real margin,
+                    AxisCache& cache, Manifold& out);
+
 // Collides the rows numbered in `which`: manifold, matches, bits. Rows are independent of each other, so parts of
 // `which` may run in parallel. Geometry and pose (of the shape's frame) by proxy.
 void collide_pairs(std::span<PairRow> rows, std::span<const std::uint32_t> which,
