@@ -13,7 +13,6 @@ struct PointRow {
   Mat3Lanes arm_a, arm_b;    // ω → velocity of the point in the contact's frame
   Mat3Lanes turn_a, turn_b;  // I⁻¹ armᵀ: impulse → change of ω
   Real4 glide{};             // added to u: how the surfaces move along themselves, and how the contact curves
-  Vec3 curving;              // the second part (curving.h)
   Vec3 impulse;              // accumulated, N s
   Real normal_mass;          // 1 / nᵀKn
   Real tangent_mass;         // 1 / the larger eigenvalue of K in the tangent plane: one number for both directions,
@@ -23,6 +22,7 @@ struct PointRow {
   Real normal_response, tangent_response;  // their inverses
   Real target;                             // u_n that the contact passes aim at
   // used once a sub-step
+  Vec3 curving;          // change of u until the middle of the sub-step (curving.h)
   Real free_speed;       // min(0, depth/h): approach that closes the gap exactly is allowed
   Real start;            // u_n before collisions, m/s
   Real aim;              // u_n that the impact at hand leaves, m/s
@@ -42,6 +42,15 @@ struct TurnRow {
   Vec3 impulse;               // accumulated, N m s
 };
 
+// What all points of a contact do together: an impulse along the normal in their middle. Points that one face presses
+// on answer nearly alike, and one after the other would take long to share their load; what is left over would turn the
+// body, to the same side in every sub-step, until a tower leans.
+struct SharedRow {
+  PreparedRow row;
+  Real mass;    // 1 / its response, by the number of points: for the impulse of each of them
+  Real target;  // the mean of theirs, less what is added to u
+};
+
 struct ManifoldRow {
   Mat3Lanes to_frame;        // world → contact's frame
   Mat3Lanes mass_a, mass_b;  // impulse in the contact's frame → change of v: 1/m times the frame
@@ -51,6 +60,7 @@ struct ManifoldRow {
   Mat3 frame;     // columns: normal from b to a, two tangents
   Material material;
   TurnRow turn;
+  SharedRow shared;
   bool a_answers, b_answers;  // impulses move it
   bool struck, owes;          // took part in a collision; joints took a part of its bounce
   std::array<PointRow, 4> points;

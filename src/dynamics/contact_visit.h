@@ -28,6 +28,17 @@ class Holding {
     change_ = max(change_, size(p, step, whole_));
     load_ += p.impulse.x;
   }
+  // All points at once by the same impulse, as one in their middle.
+  [[gnu::always_inline]] void together() {
+    SharedRow& all = m_.shared;
+    if (m_.count < 2) return;
+    Real least = m_.points[0].impulse.x;
+    for (std::size_t k = 1; k < m_.count; ++k) least = min(least, m_.points[k].impulse.x);
+    const Real left = all.target - all.row.speed(a_, b_);
+    const Real each = max(-least, relaxation_ * left * all.mass);
+    for (std::size_t k = 0; k < m_.count; ++k) m_.points[k].impulse.x += each;
+    all.row.apply(a_, b_, each * Real(m_.count));
+  }
   std::size_t count() const { return m_.count; }
   Real end() {
     if (m_.resists_turning()) change_ = max(change_, radius(m_) * resist_turning(m_, a_, b_, load_));
@@ -49,6 +60,10 @@ template <class... Contacts>
 Real hold_together(SolverBodies& on, Real relaxation, Contacts&... contacts) {
   std::array all{Holding(on, contacts, relaxation)...};
   const std::uint32_t most = std::max({contacts.count...});
+  // Not in the early passes: a train that begins to pull would wait for its friction.
+  if (relaxation > Real(0.5)) {
+    for (Holding& h : all) h.together();
+  }
   for (std::size_t k = 0; k < most; ++k) {
     for (Holding& h : all) {
       if (k < h.count()) h.point(k);
