@@ -34,7 +34,8 @@ SharedRow share(const ManifoldRow& m, const SolverBody& a, const SolverBody& b) 
   for (const PointRow& p : m.rows()) ra += p.ra / Real(m.count), rb += p.rb / Real(m.count);
   const Vec3 n = m.frame.c0;
   const PreparedRow row({n, n, cross(ra, n), cross(rb, n)}, a, b);
-  return {row, 1 / (response(row, row) * Real(m.count)), 0};
+  const Real each = response(row, row) * Real(m.count);
+  return {row, each, 1 / each, 0};
 }
 
 void prepare(SubStep& s, std::uint32_t contact, ManifoldRow& m) {

@@ -47,8 +47,8 @@ struct TurnRow {
 // body, to the same side in every sub-step, until a tower leans.
 struct SharedRow {
   PreparedRow row;
-  Real mass;    // 1 / its response, by the number of points: for the impulse of each of them
-  Real target;  // the mean of theirs, less what is added to u
+  Real response, mass;  // to the impulse of each point; its inverse
+  Real target;          // the mean of theirs, less what is added to u
 };
 
 struct ManifoldRow {

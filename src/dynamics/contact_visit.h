@@ -38,6 +38,7 @@ class Holding {
     const Real each = max(-least, relaxation_ * left * all.mass);
     for (std::size_t k = 0; k < m_.count; ++k) m_.points[k].impulse.x += each;
     all.row.apply(a_, b_, each * Real(m_.count));
+    change_ = max(change_, abs(each) * all.response * whole_);
   }
   std::size_t count() const { return m_.count; }
   Real end() {

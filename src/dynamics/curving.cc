@@ -75,6 +75,7 @@ void measure(const SubStep& s, ManifoldRow& m) {
       const Vec3 u_then = v + cross(then_a.spin, ra) - cross(then_b.spin, rb);
       const Vec3 u_now = v + cross(spin_a, p.ra) - cross(spin_b, p.rb);
       p.curving = transpose(frame) * u_then - transpose(m.frame) * u_now;
+      if (m.count > 2) p.curving.x = 0;  // a face on a face turns about the normal only
     }
   }
 }
