@@ -52,9 +52,8 @@ bool same_place(const SubStep& s, const ManifoldRow& m, const Vec3& normal) {
   return cosine > 0 && length(cross(m.frame.c0, normal)) < Real(1.1) * turn + Real(1e-3);
 }
 
-// Sets p.curving, the change of u until the middle of the sub-step, for points of the manifold that are still there.
+// Sets p.curving, the change of u until the middle of the sub-step, where the manifold's points are still there then.
 void measure(const SubStep& s, ManifoldRow& m) {
-  for (PointRow& p : m.rows()) p.curving = {};
   const Moving &a = s.on[m.a].real, &b = s.on[m.b].real;
   const Vec3 v = vector(a.v - b.v), spin_a = vector(a.w), spin_b = vector(b.w);
   const Halfway then_a(s, m.a), then_b(s, m.b);
@@ -98,8 +97,8 @@ void look_back(SubStep& s) {
 
 void look_ahead(SubStep& s) {
   for (ManifoldRow& m : s.rows) {
+    for (PointRow& p : m.rows()) p.glide[0] += p.curving.x, p.curving = {};
     if (!curves(s, m)) continue;
-    for (PointRow& p : m.rows()) p.glide[0] += p.curving.x;
     measure(s, m);
     for (PointRow& p : m.rows()) {
       if (p.target > 0) p.curving.x = 0;  // it leaves: nothing holds it to the surface
