@@ -29,15 +29,6 @@ void remember(const SubStep& s, const ContactImpulse& stored, const Manifold& ma
   if (m.resists_turning()) m.turn.impulse = to_frame * stored.turning;
 }
 
-SharedRow share(const ManifoldRow& m, const SolverBody& a, const SolverBody& b) {
-  Vec3 ra, rb;
-  for (const PointRow& p : m.rows()) ra += p.ra / Real(m.count), rb += p.rb / Real(m.count);
-  const Vec3 n = m.frame.c0;
-  const PreparedRow row({n, n, cross(ra, n), cross(rb, n)}, a, b);
-  const Real each = response(row, row) * Real(m.count);
-  return {row, each, 1 / each, 0};
-}
-
 void prepare(SubStep& s, std::uint32_t contact, ManifoldRow& m) {
   const ActiveContact& c = s.in.contacts[contact];
   const Manifold manifold = s.set.one_point_contact ? centre(*c.manifold) : *c.manifold;
@@ -72,7 +63,7 @@ void prepare(SubStep& s, std::uint32_t contact, ManifoldRow& m) {
     s.fastest = max(s.fastest, -p.start);
     p.push_target = s.set.correction / s.h * max(Real(0), depth - s.slop());  // thesis (3.20): a speed
   }
-  if (m.count > 1) m.shared = share(m, a, b);
+  prepare_shared(m, a, b);
   remember(s, s.contacts.impulse[c.slot], manifold, m);
 }
 

@@ -108,6 +108,20 @@ inline void prepare_masses(PointRow& p, const Mat3& to_frame, const SolverBody& 
   p.turn_a = lanes(turn_a), p.turn_b = lanes(turn_b);
 }
 
+// Sets the shared row but for its target, which prepare_aim() sets once the points have theirs.
+inline void prepare_shared(ManifoldRow& m, const SolverBody& a, const SolverBody& b) {
+  Vec3 ra, rb;
+  for (const PointRow& p : m.rows()) ra += p.ra / Real(m.count), rb += p.rb / Real(m.count);
+  const Vec3 n = m.frame.c0;
+  m.shared.row = PreparedRow({n, n, cross(ra, n), cross(rb, n)}, a, b);
+  m.shared.response = response(m.shared.row, m.shared.row) * Real(m.count);
+  m.shared.mass = 1 / m.shared.response;
+}
+inline void prepare_aim(ManifoldRow& m) {
+  m.shared.target = 0;
+  for (const PointRow& p : m.rows()) m.shared.target += (p.target - p.glide[0]) / Real(m.count);
+}
+
 // One visit of a point whose relative velocity is u: the accumulated impulse goes where u_n would be `target`, by the
 // share `relaxation` of the way, and where it would not slide, both as far as a contact can push and hold. Written so
 // that little waits for something else: each point waits for the one before.

@@ -153,10 +153,7 @@ class MainLoop {
   }
 
   void hold() {
-    for (ManifoldRow& m : s_.rows) {
-      m.shared.target = 0;
-      for (const PointRow& p : m.rows()) m.shared.target += (p.target - p.glide[0]) / Real(m.count);
-    }
+    for (ManifoldRow& m : s_.rows) prepare_aim(m);
     passes(
         s_.report.contact, Real(1e-6) * s_.g * s_.h, [&](JointSolve& j) { return j.hold(s_.on); },
         [&](const ContactGroup& group, Real relaxation) {

@@ -13,6 +13,7 @@ void freeze_lower(const SubStep& s, ManifoldRow& m, const std::vector<std::uint3
   lower.inverse_mass = 0, lower.inverse_inertia = {};
   m.mass_a = lanes(m.frame * a.inverse_mass), m.mass_b = lanes(m.frame * b.inverse_mass);
   for (PointRow& p : m.rows()) prepare_masses(p, transpose(m.frame), a, b);
+  prepare_shared(m, a, b);
   if (m.resists_turning()) prepare_turning(m.turn, m.frame, a, b);
 }
 
