@@ -54,7 +54,10 @@ class Show(harness.WindowTest):
         self.press("broad: grid")
         self.until(lambda s: s["config"]["broad"] == "grid", "the grid is chosen")
         self.xdotool("mousemove", 640, 50)
+        steps = self.state()["steps"]
         self.key("period")
+        self.until(lambda s: s["steps"] > steps, "a step is made")
+        self.next_pictures()
         self.toggles("shift+g", "cells_shown")
 
     def test_colours_and_sleep(self):
