@@ -130,7 +130,7 @@ std::vector<Case> grains() {
        .sets = {{"other seeds", {{"seed", 3}}}},
        .run = angle_of_repose,
        .without = {"friction"},
-       .bite = {.values = {{"seed", 11}}, .effort = Effort::full},
+       .bite = {.values = {{"seed", 21}}, .effort = Effort::full},
        .effort = Effort::normal},
       {.id = "V50",
        .title = "Brazil nut",
