@@ -193,7 +193,7 @@ class World {
   // Replaces everything; throws Error and changes nothing when the data is bad. Recorded, as whatever changes a world.
   void load(std::span<const std::byte>);
   std::uint64_t hash() const;             // of everything that can change a later bit
-  std::uint64_t pose_hash() const;        // of poses and velocities
+  std::uint64_t motion_hash() const;        // of poses and velocities
 
   struct Impl;  // src/world/impl.h
   Impl& impl() { return *impl_; }

@@ -175,7 +175,7 @@ void World::Impl::perform(const Load& op) {
 
 std::uint64_t World::hash() const { return impl_->hash(); }
 
-std::uint64_t World::pose_hash() const {
+std::uint64_t World::motion_hash() const {
   const Bodies& b = impl_->bodies;
   Hasher h;
   for (std::uint32_t i = 0; i < b.size(); ++i) {

@@ -5,9 +5,11 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import functions
+import golden
 import layers
 import pictures
 import scene_pages
@@ -106,6 +108,43 @@ enum class E { x, y };
     def test_counts_lines(self):
         text = "int f() {\n" + "  g();\n" * 200 + "}\n"
         self.assertEqual([last - first + 1 for first, last, _ in functions.functions(text)], [202])
+
+
+class Golden(unittest.TestCase):
+    WRITTEN = {"wall": {"1": "aa", "100": "bb", "800": "cc"}, "net": {"1": "dd"}}
+
+    def found(self, **changes):
+        return golden.differences(self.WRITTEN, {**self.WRITTEN, **changes})
+
+    def test_accepts_the_same(self):
+        self.assertEqual(self.found(), [])
+
+    def test_names_motion_and_first_step(self):
+        self.assertEqual(self.found(wall={"1": "aa", "100": "ee", "800": "ff"}), ["wall: differs at step 100: ee, expected bb"])
+
+    def test_names_an_end_that_moved(self):
+        self.assertEqual(self.found(wall={"1": "aa", "100": "bb", "900": "cc"}),
+                         ["wall: differs at step 800: no such step, expected cc"])
+
+    def test_a_motion_too_many_or_too_few(self):
+        self.assertEqual(self.found(arch={"1": "aa"}), ["arch: is not written down"])
+        self.assertEqual(golden.differences(self.WRITTEN, {"net": {"1": "dd"}}), ["wall: did not run"])
+
+    def test_a_variation_of_nothing(self):
+        self.assertEqual(golden.differences({}, {"net": {"1": "a"}, "net fast": {"1": "a"}})[2:],
+                         ["net fast: moves as without that setting"])
+
+    def test_keeps_the_reasons_newest_first(self):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.object(golden, "FOLDER", pathlib.Path(folder)):
+            program = pathlib.Path(folder) / "motions"
+            for reason in ("first", "same", "second"):
+                hash_ = "bb" if reason == "second" else "aa"
+                program.write_text(f"#!/bin/sh\necho '{{\"precision\": \"float\", \"motions\": {{\"wall\": {{\"1\": \"{hash_}\"}}}}}}'\n")
+                program.chmod(0o755)
+                golden.renew(reason, [program], "1.0 on abc")
+            log = (pathlib.Path(folder) / "reasons.md").read_text()
+            self.assertEqual([line.rsplit(": ", 1)[1] for line in log.splitlines() if line.startswith("- ")],
+                             ["second", "first"])
 
 
 class StateIndex(unittest.TestCase):

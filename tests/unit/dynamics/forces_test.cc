@@ -228,7 +228,7 @@ TEST(TimeFactor, IsSimulatedTimePerStep) {
   }
   EXPECT_DOUBLE_EQ(a.time(), 1.5);
   EXPECT_DOUBLE_EQ(b.time(), 1.5);
-  EXPECT_EQ(a.pose_hash(), b.pose_hash());
+  EXPECT_EQ(a.motion_hash(), b.motion_hash());
 }
 
 }

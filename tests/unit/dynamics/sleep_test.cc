@@ -24,9 +24,9 @@ TEST(Sleep, QuietIslandsSleepAndStay) {
   ASSERT_TRUE(room.asleep());
   EXPECT_EQ(room.w.profile().awake, 0);
   EXPECT_EQ(room.w.contacts().size(), 2u);
-  const std::uint64_t hash = room.w.pose_hash();
+  const std::uint64_t hash = room.w.motion_hash();
   step(room.w, 100);
-  EXPECT_EQ(room.w.pose_hash(), hash);
+  EXPECT_EQ(room.w.motion_hash(), hash);
   EXPECT_EQ(room.w[room.upper].velocity(), Vec3{});
 }
 
