@@ -3,13 +3,11 @@
 #include <algorithm>
 
 #include "dynamics/integrate.h"
-#include "dynamics/islands.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
 
-constexpr std::int64_t most_cost = 100'000;  // multiplications: chains, trees, small nets
 // What a part of a sub-step resolves, as an angle: a turn, and a swing ωh (which grows without bound from 2 on).
 constexpr Real widest_turn = Real(0.25), widest_swing = Real(0.5);
 constexpr int most_for_turn = 16, most_for_swing = 2;  // tauter: as a chain that snaps straight, which no step resolves
@@ -22,19 +20,15 @@ int parts_for(Real angle, Real widest, int most) {
 }
 
 void FreeJoints::advance(std::vector<JointSolve>& joints, const Joints& state, Bodies& bodies, const Forces& forces,
-                         std::span<const std::uint8_t> touched, Real length_unit, Real h) {
-  std::vector<JointSystem::Joint> list;
-  const auto answers = [&](std::uint32_t i) { return i != no_body && bodies.dynamic(i) ? i : JointSystem::nobody; };
-  for (const JointSolve& j : joints) list.push_back({answers(j.a), answers(j.b), int(j.rows().size())});
-  if (list != list_) regroup(list, joints, bodies.size());
-  list_ = std::move(list);
-
-  const Scene scene{joints, state, bodies, forces, Real(0.02) * length_unit};
+                         const Drives& drives, JointGroups& groups, std::span<const std::uint8_t> touched,
+                         Real length_unit, Real h) {
+  const Scene scene{joints, state, bodies, forces, drives, Real(0.02) * length_unit, h};
   on_.reset(bodies.size());
   tension_.resize(bodies.size()), pulls_.resize(bodies.size());
-  for (Group& g : groups_) {
+  for (JointGroup& g : groups.all()) {
     const bool hindered = !g.system || std::any_of(g.joints.begin(), g.joints.end(), [&](std::uint32_t k) {
-      return joints[k].rows().empty() || joints[k].bounded() || joints[k].error() > scene.wide;
+      const JointSolve& j = joints[k];
+      return (j.rows().empty() && !j.driven()) || j.sprung() || j.near_limit() || j.error() > scene.wide;
     }) || std::any_of(g.moving.begin(), g.moving.end(), [&](std::uint32_t i) { return touched[i] != 0; });
     if (hindered) continue;
     // The tension is known only afterwards; where it was more than the parts could resolve, once more with more of
@@ -52,7 +46,10 @@ void FreeJoints::advance(std::vector<JointSolve>& joints, const Joints& state, B
       for (const std::uint32_t k : g.joints) joints[k].restart(state, bodies, on_);
       continue;
     }
-    for (const std::uint32_t k : g.joints) joints[k].free = true;
+    for (const std::uint32_t k : g.joints) {
+      joints[k].free = true;
+      if (joints[k].driven()) joints[k].set_drive_impulse(drives.impulse(k));
+    }
     for (const std::uint32_t i : g.dynamic) moves_[i] = 1;
     moved_.insert(moved_.end(), after_.begin(), after_.end());
   }
@@ -60,7 +57,7 @@ void FreeJoints::advance(std::vector<JointSolve>& joints, const Joints& state, B
 
 void FreeJoints::commit(Bodies& bodies) { restore(moved_, bodies); }
 
-Real FreeJoints::fastest_turn(const Group& g, const Bodies& bodies) {
+Real FreeJoints::fastest_turn(const JointGroup& g, const Bodies& bodies) {
   Real fastest = 0;
   for (const std::uint32_t i : g.dynamic) fastest = max(fastest, length(bodies.spin[i]));
   return fastest;
@@ -68,7 +65,7 @@ Real FreeJoints::fastest_turn(const Group& g, const Bodies& bodies) {
 
 // A link pulled on both sides swings to and fro about its middle, Iω² = r·F (Tournier et al. 2015, geometric
 // stiffness). By the impulses of the joints; the largest ωh.
-Real FreeJoints::swing(const Group& g, const Scene& s, Real h) {
+Real FreeJoints::swing(const JointGroup& g, const Scene& s, Real h) {
   for (const std::uint32_t i : g.moving) tension_[i] = 0, pulls_[i] = 0;
   for (const std::uint32_t k : g.joints) {
     const JointSolve& j = s.joints[k];
@@ -89,19 +86,20 @@ Real FreeJoints::swing(const Group& g, const Scene& s, Real h) {
 }
 
 // Leaves the bodies where they were and their motion in after_. False: it did not succeed.
-bool FreeJoints::move(Group& g, const Scene& s, Real h, int parts) {
+bool FreeJoints::move(JointGroup& g, const Scene& s, Real h, int parts) {
   save(g.moving, s.bodies, before_);
   for (const std::uint32_t k : g.joints) s.joints[k].forget_impulse();
   gather(g, s);
   bool well = true;
   prepare(g, s);
+  rates_before_ = rates(g, s);
   for (int n = 0; n < parts && well; ++n) well = part(g, s, h / Real(parts));
   for (const std::uint32_t i : g.dynamic)
     well = well && sudar::drift(s.bodies, i, on_[i], 0);  // takes over the last kick
   for (const std::uint32_t k : g.joints) well = well && s.joints[k].error() <= s.wide;
   const auto carried = [&](std::uint32_t i) { return !s.bodies.dynamic(i) && s.bodies.moves(i); };
   const bool closed = std::none_of(g.moving.begin(), g.moving.end(), carried);  // else the carrier does work
-  well = well && (!closed || energy_made(s, h) <= 1e-3);
+  well = well && (!closed || energy_made(g, s, h) <= 1e-3);
   save(g.dynamic, s.bodies, after_);
   restore(before_, s.bodies);
   return well;
@@ -109,7 +107,7 @@ bool FreeJoints::move(Group& g, const Scene& s, Real h, int parts) {
 
 // Kinetic energy that no force brought, as a share of the kinetic energy and what the forces do over a radius. Some
 // tenths of a thousandth are the method's; more comes where links snap straight, which no step resolves.
-double FreeJoints::energy_made(const Scene& s, Real h) const {
+double FreeJoints::energy_made(const JointGroup& g, const Scene& s, Real h) const {
   const Bodies& b = s.bodies;
   double made = 0, all = 0;
   const auto kinetic = [&](std::uint32_t i, const Vec3& v, const Vec3& w, const Vec3& angular_momentum) {
@@ -125,10 +123,22 @@ double FreeJoints::energy_made(const Scene& s, Real h) const {
     made += after - before - work;
     all += after + double(length(load.force) * b.radius[m.body]);
   }
+  const std::vector<Real> after = rates(g, s);
+  for (std::size_t n = 0; n < g.joints.size(); ++n) {
+    const double work = 0.5 * double(s.drives.impulse(g.joints[n])) * double(rates_before_[n] + after[n]);
+    made -= work;
+    all += work > 0 ? work : -work;
+  }
   return all > 0 ? made / all : 0;
 }
 
-bool FreeJoints::part(Group& g, const Scene& s, Real h) {
+std::vector<Real> FreeJoints::rates(const JointGroup& g, const Scene& s) const {
+  std::vector<Real> rates;
+  for (const std::uint32_t k : g.joints) rates.push_back(s.joints[k].driven() ? s.joints[k].rate(on_) : 0);
+  return rates;
+}
+
+bool FreeJoints::part(JointGroup& g, const Scene& s, Real h) {
   kick(g, s, h / 2);
   solve(g, s, [&](const PreparedRow& row, Real speed) { return -speed - row.error / h; });
   constexpr int repeats = 2;  // the second keeps a double pendulum's energy to 0.1 % over a minute, one to 1 %
@@ -151,7 +161,7 @@ bool FreeJoints::part(Group& g, const Scene& s, Real h) {
   return true;
 }
 
-bool FreeJoints::drift(const Group& g, const Scene& s, Real h) {
+bool FreeJoints::drift(const JointGroup& g, const Scene& s, Real h) {
   bool well = true;
   for (const std::uint32_t i : g.moving) {
     if (s.bodies.dynamic(i))
@@ -162,28 +172,29 @@ bool FreeJoints::drift(const Group& g, const Scene& s, Real h) {
   return well;
 }
 
-void FreeJoints::gather(const Group& g, const Scene& s) {
+void FreeJoints::gather(const JointGroup& g, const Scene& s) {
   for (const std::uint32_t i : g.moving) on_[i] = solver_body(s.bodies, i);
 }
 
-void FreeJoints::kick(const Group& g, const Scene& s, Real h) {
+void FreeJoints::kick(const JointGroup& g, const Scene& s, Real h) {
   evaluate(s.forces, s.bodies, g.dynamic, s.bodies.position, s.bodies.orientation, loads_);
   for (const std::uint32_t i : g.dynamic) accelerate(s.bodies, i, loads_[i], drag_on(s.forces, s.bodies, i), h, on_[i]);
+  for (const std::uint32_t k : g.joints) {
+    const JointSolve& j = s.joints[k];
+    if (j.driven()) j.coordinate().apply(on_[j.a].real, on_[j.b].real, s.drives.impulse(k) * (h / s.h));
+  }
 }
 
 // Rows and system where the bodies are now.
-void FreeJoints::prepare(Group& g, const Scene& s) {
-  rows_.clear();
-  for (const std::uint32_t k : g.joints) {
-    s.joints[k].renew_rows(s.state, s.bodies, on_);
-    rows_.push_back(s.joints[k].rows());
-  }
+void FreeJoints::prepare(JointGroup& g, const Scene& s) {
+  for (const std::uint32_t k : g.joints) s.joints[k].renew_rows(s.state, s.bodies, on_);
+  rows_of(g, s.joints, rows_);
   g.system->factor(rows_);
   impulses_.assign(g.joints.size(), {});
 }
 
 template <class Ask>
-void FreeJoints::solve(Group& g, const Scene& s, Ask ask) {
+void FreeJoints::solve(JointGroup& g, const Scene& s, Ask ask) {
   for (std::size_t n = 0; n < g.joints.size(); ++n) {
     const JointSolve& j = s.joints[g.joints[n]];
     for (std::size_t r = 0; r < j.rows().size(); ++r) {
@@ -194,7 +205,7 @@ void FreeJoints::solve(Group& g, const Scene& s, Ask ask) {
 }
 
 // What impulses_ asks for.
-void FreeJoints::apply(Group& g, const Scene& s) {
+void FreeJoints::apply(JointGroup& g, const Scene& s) {
   g.system->solve(impulses_);
   for (std::size_t n = 0; n < g.joints.size(); ++n) s.joints[g.joints[n]].apply(on_, impulses_[n]);
 }
@@ -210,41 +221,6 @@ void FreeJoints::restore(const std::vector<Saved>& from, Bodies& b) {
   for (const Saved& m : from) {
     b.position[m.body] = m.position, b.orientation[m.body] = m.orientation;
     b.velocity[m.body] = m.velocity, b.angular_momentum[m.body] = m.angular_momentum, b.spin[m.body] = m.spin;
-  }
-}
-
-void FreeJoints::regroup(const std::vector<JointSystem::Joint>& list, const std::vector<JointSolve>& joints,
-                         std::uint32_t slots) {
-  Islands islands;
-  islands.reset(slots);
-  for (const JointSystem::Joint& j : list) {
-    if (j.a != JointSystem::nobody && j.b != JointSystem::nobody) islands.unite(j.a, j.b);
-  }
-  groups_.clear();
-  constexpr std::uint32_t none = 0xffffffffu;
-  std::vector<std::uint32_t> group_of(slots, none);
-  for (std::uint32_t k = 0; k < list.size(); ++k) {
-    const std::uint32_t some = list[k].a != JointSystem::nobody ? list[k].a : list[k].b;
-    std::uint32_t& group = group_of[islands.root(some)];
-    if (group == none) group = std::uint32_t(groups_.size()), groups_.emplace_back();
-    Group& g = groups_[group];
-    g.joints.push_back(k);
-    for (const std::uint32_t i : {joints[k].a, joints[k].b}) {
-      if (i != no_body) g.moving.push_back(i);
-    }
-    for (const std::uint32_t i : {list[k].a, list[k].b}) {
-      if (i != JointSystem::nobody) g.dynamic.push_back(i);
-    }
-  }
-  const auto tidy = [](std::vector<std::uint32_t>& bodies) {
-    std::sort(bodies.begin(), bodies.end());
-    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  };
-  for (Group& g : groups_) {
-    tidy(g.moving), tidy(g.dynamic);
-    std::vector<JointSystem::Joint> own;
-    for (const std::uint32_t k : g.joints) own.push_back(list[k]);
-    g.system = JointSystem::plan(own, most_cost);
   }
 }
 

@@ -19,6 +19,8 @@ struct Impulse2007Solver::Memory {
   std::vector<ManifoldRow> rows;
   std::vector<ContactGroup> groups;
   std::vector<JointSolve> joints;
+  JointGroups joint_groups;
+  Drives drives;
   FreeJoints free_joints;
   std::vector<std::uint8_t> touched;  // bodies in contacts
 };
@@ -70,11 +72,15 @@ class MainLoop {
     s_.joint_rows.clear();
     for (const std::uint32_t j : s_.in.joints) s_.joint_rows.emplace_back(s_.joints, s_.bodies, j, s_.on, s_.h);
     free_.reset(s_.bodies.size());
-    if (s_.set.exact_joints && !s_.set.joint_correction_in_velocity && !s_.in.joints.empty()) {
+    if (s_.joint_rows.empty()) return;
+    memory_.joint_groups.renew(s_.joint_rows, s_.bodies);
+    memory_.drives.prepare(s_.joint_rows, s_.joints, memory_.joint_groups, s_.bodies, s_.in.forces, s_.on, s_.h);
+    if (s_.set.exact_joints && !s_.set.joint_correction_in_velocity) {
       memory_.touched.assign(s_.bodies.size(), 0);
       for (const ActiveContact& c : s_.in.contacts) memory_.touched[c.a] = memory_.touched[c.b] = 1;
       const Stopwatch watch(s_.report.joint.microseconds);
-      free_.advance(s_.joint_rows, s_.joints, s_.bodies, s_.in.forces, memory_.touched, s_.in.config.length_unit, s_.h);
+      free_.advance(s_.joint_rows, s_.joints, s_.bodies, s_.in.forces, memory_.drives, memory_.joint_groups,
+                    memory_.touched, s_.in.config.length_unit, s_.h);
     }
     const JointPull pull{s_.set.joint_correction / s_.h, s_.set.joint_correction_in_velocity};
     for (JointSolve& j : s_.joint_rows) {

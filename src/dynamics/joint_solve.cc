@@ -2,19 +2,6 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-namespace {
-
-// The fastest approach from which the drive's force still stops at the target, in steps of h: v²/2a + vh/2 = distance.
-Real servo_speed(const Drive& drive, Real coordinate, Real mass, Real h) {
-  const Real way = drive.target - coordinate, distance = abs(way);
-  const Real acceleration = drive.force / mass, half = acceleration * h * Real(0.5);
-  const Real stoppable = sqrt(square(half) + 2 * acceleration * distance) - half;
-  const Real speed = min(min(stoppable, distance / h), drive.max_speed);
-  return way < 0 ? -speed : speed;
-}
-
-}
-
 JointSolve::JointSolve(Joints& joints, const Bodies& bodies, std::uint32_t joint, const SolverBodies& on, Real h)
     : a(joints.a[joint]), b(joints.b[joint]), joint_(joint), impulse_(joints.impulse[joint].rows) {
   const JointRows demands = rows_of(joints, bodies, joint);
@@ -22,9 +9,12 @@ JointSolve::JointSolve(Joints& joints, const Bodies& bodies, std::uint32_t joint
   if (demands.free) prepare_coordinate(joints, demands, on, h);
 }
 
+const Drive& JointSolve::drive(const Joints& joints) const { return *drive_of(joints.definition[joint_]); }
+
 void JointSolve::set_rows(const JointRows& demands, const SolverBodies& on) {
   count_ = demands.count;
   for (std::size_t r = 0; r < std::size_t(count_); ++r) rows_[r] = {demands.rows[r], on[a], on[b]};
+  if (demands.free) coordinate_ = {demands.rate, on[a], on[b]};
 }
 
 void JointSolve::renew_rows(const Joints& joints, const Bodies& bodies, const SolverBodies& on) {
@@ -48,16 +38,14 @@ Vec3 JointSolve::linear_impulse() const {
   return vector(sum);
 }
 
-bool JointSolve::bounded() const { return drive_.present || near_limit_; }
-
 void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, const SolverBodies& on, Real h) {
   const JointImpulse& stored = joints.impulse[joint_];
   Real& coordinate = joints.coordinate[joint_];
+  const Real mass = 1 / response(coordinate_, coordinate_);
   coordinate = unwind(coordinate, demands.value, demands.period);
   const auto bound = [&](BoundedRow& row, Real impulse, Real low, Real high) {
-    row.row = {demands.rate, on[a], on[b]};
-    row.present = has_bounds_ = true;
-    row.mass = 1 / response(row.row, row.row);
+    row.present = true;
+    row.mass = mass;
     row.impulse = clamp(impulse, low, high), row.low = low, row.high = high;
   };
   constexpr Real infinity = std::numeric_limits<Real>::infinity();
@@ -74,8 +62,7 @@ void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, co
     high_.excess = -max(Real(0), above);
   }
   if (low_.present || high_.present) {
-    const BoundedRow& either = low_.present ? low_ : high_;
-    const Real reach = Real(0.01) + 4 * h * abs(either.row.speed(on[a].real, on[b].real));
+    const Real reach = Real(0.01) + 4 * h * abs(rate(on));
     near_limit_ = max(below, above) > -reach;
   }
   const Drive* drive = drive_of(joints.definition[joint_]);
@@ -84,14 +71,13 @@ void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, co
   switch (drive->mode) {
     case DriveMode::off: break;
     case DriveMode::speed: drive_.target = drive->target; break;
-    case DriveMode::servo: drive_.target = servo_speed(*drive, coordinate, drive_.mass, h); break;
+    case DriveMode::servo: break;  // see drives.h
     case DriveMode::spring: {
       // λ = h (k (target − x − h u) − c u), solved for u.
       const Real stiff = h * drive->stiffness, resistance = h * (stiff + drive->damping);
       drive_.softness = resistance > 0 ? 1 / resistance : Real(0);
       drive_.target = drive_.softness * stiff * (drive->target - coordinate);
-      drive_.mass = 1 / (1 / drive_.mass + drive_.softness);
-      if (!(resistance > 0)) drive_.present = false;
+      drive_.present = resistance > 0;
       break;
     }
   }
@@ -103,14 +89,6 @@ void JointSolve::prepare_visits(const JointPull& pull) {
     for (std::size_t s = 0; s <= r; ++s) block_[r * 6 + s] = response(rows_[r], rows_[s]);
   }
   factor_small(block_.data(), 6, count_, sizeof(Real) == 4 ? Real(1e-6) : Real(1e-12));
-}
-
-template <class Visit>
-void JointSolve::each_bound(Visit visit) {
-  if (!has_bounds_) return;
-  for (BoundedRow* row : {&drive_, &low_, &high_}) {
-    if (row->present) visit(*row);
-  }
 }
 
 template <class Apply>
@@ -154,9 +132,9 @@ void JointSolve::stop(SolverBodies& on) {
   });
   for (BoundedRow* row : {&low_, &high_}) {
     if (!row->present) continue;
-    const Real impulse = (row->target - row->row.speed(on_a, on_b)) * row->mass;
+    const Real impulse = (row->target - coordinate_.speed(on_a, on_b)) * row->mass;
     if (!(impulse > row->low && impulse < row->high)) continue;
-    row->row.apply(on_a, on_b, impulse);
+    coordinate_.apply(on_a, on_b, impulse);
     struck_limit_ += impulse;
   }
   on[a].real = on_a, on[b].real = on_b;
@@ -166,20 +144,38 @@ void JointSolve::warm_start(SolverBodies& on) const {
   Moving &on_a = on[a].real, &on_b = on[b].real;
   for (std::size_t r = 0; r < std::size_t(count_); ++r) rows_[r].apply(on_a, on_b, impulse_[r]);
   for (const BoundedRow* row : {&low_, &high_, &drive_}) {
-    if (row->present) row->row.apply(on_a, on_b, row->impulse);
+    if (row->present) coordinate_.apply(on_a, on_b, row->impulse);
   }
 }
 
+void JointSolve::set_response(Real inverse_mass, std::span<const Carried> carried) {
+  drive_.mass = 1 / (inverse_mass + drive_.softness);
+  carried_ = carried;
+}
+
+// The drive moves all that hangs on it at once; else a servo far from what it moves would not be felt there.
+Real JointSolve::hold_drive(SolverBodies& on) {
+  if (!drive_.present) return 0;
+  const Real left = drive_.target - rate(on) - drive_.softness * drive_.impulse;
+  const Real total = clamp(drive_.impulse + left * drive_.mass, drive_.low, drive_.high), more = total - drive_.impulse;
+  drive_.impulse = total;
+  if (more == 0) return 0;
+  coordinate_.apply(on[a].real, on[b].real, more);
+  for (const Carried& c : carried_) c.joint->apply(on, c.impulse, more);
+  return abs(more) / drive_.mass;
+}
+
 Real JointSolve::hold(SolverBodies& on) {
+  Real change = hold_drive(on);
   Moving on_a = on[a].real, on_b = on[b].real;
-  Real change = 0;
-  each_bound([&](BoundedRow& row) {
-    const Real left = row.target - row.row.speed(on_a, on_b) - row.softness * row.impulse;
-    const Real total = clamp(row.impulse + left * row.mass, row.low, row.high);
-    row.row.apply(on_a, on_b, total - row.impulse);
-    change = max(change, abs(total - row.impulse) / row.mass);
-    row.impulse = total;
-  });
+  for (BoundedRow* row : {&low_, &high_}) {
+    if (!row->present) continue;
+    const Real left = row->target - coordinate_.speed(on_a, on_b);
+    const Real total = clamp(row->impulse + left * row->mass, row->low, row->high);
+    coordinate_.apply(on_a, on_b, total - row->impulse);
+    change = max(change, abs(total - row->impulse) / row->mass);
+    row->impulse = total;
+  }
   const Real block =
       solve_block(pull_.in_velocity ? pull_.rate : Real(0), on_a, on_b, [&](std::size_t r, Real impulse) {
         rows_[r].apply(on_a, on_b, impulse);
@@ -192,14 +188,14 @@ Real JointSolve::hold(SolverBodies& on) {
 Real JointSolve::push(SolverBodies& on) {
   Moving on_a = on[a].push, on_b = on[b].push;
   Real change = 0;
-  each_bound([&](BoundedRow& row) {
-    if (row.excess == 0) return;
-    const Real left = pull_.rate * row.excess - row.row.speed(on_a, on_b);
-    const Real total = clamp(row.push + left * row.mass, row.low, row.high);
-    row.row.apply(on_a, on_b, total - row.push);
-    change = max(change, abs(total - row.push) / row.mass);
-    row.push = total;
-  });
+  for (BoundedRow* row : {&low_, &high_}) {
+    if (!row->present || row->excess == 0) continue;
+    const Real left = pull_.rate * row->excess - coordinate_.speed(on_a, on_b);
+    const Real total = clamp(row->push + left * row->mass, row->low, row->high);
+    coordinate_.apply(on_a, on_b, total - row->push);
+    change = max(change, abs(total - row->push) / row->mass);
+    row->push = total;
+  }
   if (!pull_.in_velocity) {
     change = max(change, solve_block(pull_.rate, on_a, on_b,
                                      [&](std::size_t r, Real impulse) { rows_[r].apply(on_a, on_b, impulse); }));
@@ -208,10 +204,10 @@ Real JointSolve::push(SolverBodies& on) {
   return change;
 }
 
-void JointSolve::apply(SolverBodies& on, const std::array<Real, 6>& impulse) {
+void JointSolve::apply(SolverBodies& on, const std::array<Real, 6>& impulse, Real share) {
   for (std::size_t r = 0; r < std::size_t(count_); ++r) {
-    rows_[r].apply(on[a].real, on[b].real, impulse[r]);
-    impulse_[r] += impulse[r];
+    rows_[r].apply(on[a].real, on[b].real, impulse[r] * share);
+    impulse_[r] += impulse[r] * share;
   }
 }
 

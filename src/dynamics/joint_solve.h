@@ -24,7 +24,23 @@ class JointSolve {
   std::span<const PreparedRow> rows() const { return std::span(rows_).first(std::size_t(count_)); }
   Vec3 linear_impulse() const;  // accumulated, on a, N s
   Real error() const;           // the largest, m or rad
-  bool bounded() const;         // a drive acts, or a limit may in this sub-step
+  bool near_limit() const { return near_limit_; }  // it may act in this sub-step
+
+  // The drive, for those who tell it what it moves and what to aim at (drives.h).
+  bool driven() const { return drive_.present; }
+  bool sprung() const { return drive_.present && drive_.softness > 0; }
+  const Drive& drive(const Joints& joints) const;  // of a driven one
+  const PreparedRow& coordinate() const { return coordinate_; }
+  Real rate(const SolverBodies& on) const { return coordinate_.speed(on[a].real, on[b].real); }
+  Real aim() const { return drive_.target; }
+  void set_aim(Real rate) { drive_.target = rate; }
+  void set_drive_impulse(Real impulse) { drive_.impulse = impulse; }
+  // What comes along with a unit of the drive's impulse, so that joints go on holding.
+  struct Carried {
+    JointSolve* joint;
+    std::array<Real, 6> impulse;
+  };
+  void set_response(Real inverse_mass, std::span<const Carried> carried);
 
   // Before any visit.
   void prepare_visits(const JointPull& pull);
@@ -38,7 +54,7 @@ class JointSolve {
   // For those who solve many joints together.
   void renew_rows(const Joints& joints, const Bodies& bodies, const SolverBodies& on);  // where the bodies are now
   void forget_impulse() { impulse_ = {}; }
-  void apply(SolverBodies& on, const std::array<Real, 6>& impulse);                  // and accumulates
+  void apply(SolverBodies& on, const std::array<Real, 6>& impulse, Real share = 1);  // and accumulates
   void restart(const Joints& joints, const Bodies& bodies, const SolverBodies& on);  // as constructed
 
   void store(Joints& joints) const;
@@ -46,7 +62,6 @@ class JointSolve {
  private:
   // A limit's end or a drive.
   struct BoundedRow {
-    PreparedRow row;
     bool present = false;
     Real mass = 0, impulse = 0, low = 0, high = 0;  // impulse within low…high
     Real target = 0;                                // rate that it aims at
@@ -55,20 +70,21 @@ class JointSolve {
   };
   void set_rows(const JointRows& demands, const SolverBodies& on);
   void prepare_coordinate(Joints& joints, const JointRows& demands, const SolverBodies& on, Real h);
-  template <class Visit>
-  void each_bound(Visit visit);
+  Real hold_drive(SolverBodies& on);
   template <class Apply>
   Real solve_block(Real pull, const Moving& on_a, const Moving& on_b, Apply apply);
 
   // What every visit reads comes first.
-  bool has_bounds_ = false, near_limit_ = false;
+  bool near_limit_ = false;
   std::uint32_t joint_;
   int count_ = 0;  // rows of the block
   JointPull pull_{};
   std::array<Real, 6> impulse_;
   std::array<Real, 36> block_{};  // K, factored
   std::array<PreparedRow, 6> rows_;
+  PreparedRow coordinate_;  // of the three below
   BoundedRow low_, high_, drive_;
+  std::span<const Carried> carried_;
   std::array<Real, 6> struck_{};  // of all impacts
   Real struck_limit_ = 0;
 };

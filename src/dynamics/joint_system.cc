@@ -21,7 +21,10 @@ Real compliance(bool loops) {
 bool has_loops(std::span<const JointSystem::Joint> joints) {
   std::vector<std::uint32_t> bodies;
   bool grounded = false;
+  std::ptrdiff_t count = 0;
   for (const JointSystem::Joint& j : joints) {
+    if (j.rows == 0) continue;
+    ++count;
     for (const std::uint32_t body : {j.a, j.b}) {
       if (body == JointSystem::nobody)
         grounded = true;
@@ -31,7 +34,7 @@ bool has_loops(std::span<const JointSystem::Joint> joints) {
   }
   std::sort(bodies.begin(), bodies.end());
   const auto distinct = std::unique(bodies.begin(), bodies.end()) - bodies.begin();
-  return std::ptrdiff_t(joints.size()) > distinct - (grounded ? 0 : 1);
+  return count > distinct - (grounded ? 0 : 1);
 }
 
 }
@@ -154,13 +157,13 @@ void JointSystem::factor(std::span<const std::span<const PreparedRow>> rows) {
   fill(rows);
   for (const Column& column : columns_) {
     const int across = joints_[column.joint].rows;
-    Real* diagonal = &numbers_[column.diagonal];
+    Real* diagonal = numbers_.data() + column.diagonal;
     factor_small(diagonal, across, across, compliance(loops_));
     const std::uint32_t* target = column.targets.data();
     for (std::size_t i = 0; i < column.below.size(); ++i) {
       const Block& left = column.below[i];
       const int down = joints_[left.row].rows;
-      Real* w = &numbers_[left.at];
+      Real* w = numbers_.data() + left.at;
       std::array<Real, 36> scaled;  // W d⁻¹
       for (int r = 0; r < down; ++r) {
         solve_lower(diagonal, across, across, w + r * across);
@@ -169,8 +172,8 @@ void JointSystem::factor(std::span<const std::span<const PreparedRow>> rows) {
       for (std::size_t j = 0; j <= i; ++j) {
         const Block& right = column.below[j];
         const int other = joints_[right.row].rows;
-        const Real* v = &numbers_[right.at];
-        Real* to = &numbers_[*target++];
+        const Real* v = numbers_.data() + right.at;
+        Real* to = numbers_.data() + *target++;
         for (int r = 0; r < down; ++r) {
           for (int c = 0; c < other; ++c) {
             Real s = 0;
@@ -186,12 +189,12 @@ void JointSystem::factor(std::span<const std::span<const PreparedRow>> rows) {
 void JointSystem::solve(std::span<std::array<Real, 6>> r) const {
   for (const Column& column : columns_) {
     const int across = joints_[column.joint].rows;
-    const Real* diagonal = &numbers_[column.diagonal];
+    const Real* diagonal = numbers_.data() + column.diagonal;
     Real* x = r[column.joint].data();
     solve_lower(diagonal, across, across, x);
     solve_diagonal(diagonal, across, across, x);
     for (const Block& block : column.below) {
-      const Real* w = &numbers_[block.at];
+      const Real* w = numbers_.data() + block.at;
       Real* y = r[block.row].data();
       for (int k = 0; k < joints_[block.row].rows; ++k) {
         for (int m = 0; m < across; ++m) y[k] -= w[k * across + m] * x[m];
@@ -201,12 +204,12 @@ void JointSystem::solve(std::span<std::array<Real, 6>> r) const {
   for (std::size_t c = columns_.size(); c-- > 0;) {
     const Column& column = columns_[c];
     const int across = joints_[column.joint].rows;
-    const Real* diagonal = &numbers_[column.diagonal];
+    const Real* diagonal = numbers_.data() + column.diagonal;
     Real* x = r[column.joint].data();
     for (int m = 0; m < across; ++m) {
       Real s = 0;
       for (const Block& block : column.below) {
-        const Real* w = &numbers_[block.at];
+        const Real* w = numbers_.data() + block.at;
         const Real* y = r[block.row].data();
         for (int k = 0; k < joints_[block.row].rows; ++k) s += w[k * across + m] * y[k];
       }

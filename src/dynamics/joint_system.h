@@ -17,7 +17,7 @@ class JointSystem {
   static constexpr std::uint32_t nobody = 0xffffffffu;
   struct Joint {
     std::uint32_t a, b;  // bodies that answer impulses; nobody: the world, a fixed or a kinematic body
-    int rows;            // 1…6
+    int rows;            // 0…6; none: a rope, a muscle
     bool operator==(const Joint&) const = default;
   };
 
