@@ -63,7 +63,7 @@ struct Arm : Scenario {
     for (Body b : links) torque += w[b].mass() * gravity * (w[b].center().x - hinge.x);
     return torque / length(cross(from - hinge, along));
   }
-  void observe(const World& w, Check& c) override { c.below("joint gap", w.quality().joint_gap_max, 0.01, "m"); }
+  void observe(const World& w, Check& c) override { c.below("joint gap", w.quality().joint_gap_max, 1e-5, "m"); }
   void check(const World& w, Check& c) override {
     if (touched) return;  // it may swing still, or be told what it cannot reach
     c.near("force of the shoulder's muscle", length(w[muscles[0]].load().force), expected_force(w), 5, "N");
