@@ -4,8 +4,8 @@
 //   Body b = w.add({.shape = sphere(0.5), .at = {0, 4, 0}});
 //   for (int i = 0; i < 600; ++i) w.step();
 //   w[b].pose().p.y;
-// Bad data throws Error (base.h) and changes nothing; a dead handle does too. Every change goes through the functions of
-// this class, each of which is an operation that a Recorder (record.h) keeps.
+// Bad data throws Error (base.h) and changes nothing; a handle that is dead or of another world does too, and so does
+// whatever is asked of a world that was moved from. Every change goes through the functions of this class, each of which is an operation that a Recorder (record.h) keeps.
 #pragma once
 
 #include <sudar/definitions.h>
@@ -200,7 +200,20 @@ class World {
   const Impl& impl() const { return *impl_; }
 
  private:
-  std::unique_ptr<Impl> impl_;
+  // A pointer that knows when there is nothing behind it.
+  class Inside {
+   public:
+    Inside& operator=(std::unique_ptr<Impl>);
+    Impl& operator*() const {  // throws Error in a world that was moved from
+      if (!p_) throw Error("world", "is empty: it was moved from");
+      return *p_;
+    }
+    Impl* operator->() const { return &**this; }
+
+   private:
+    std::unique_ptr<Impl> p_;
+  };
+  Inside impl_;
 };
 
 }

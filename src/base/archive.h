@@ -58,9 +58,13 @@ class Writer {
 // Throws Error("data", …) where the bytes end too soon; a size that cannot be right is refused before memory is taken.
 class Reader {
  public:
-  explicit Reader(std::span<const std::byte> bytes, std::size_t from = 0) : bytes_(bytes), position_(from) {}
+  // `world`: which one the handles in it are of.
+  explicit Reader(std::span<const std::byte> bytes, std::size_t from = 0, std::uint32_t world = 0)
+      : bytes_(bytes), position_(from), world_(world) {
+    if (from > bytes.size()) fail_short();
+  }
   void raw(void* data, std::size_t size) {
-    if (size > left()) throw Error("data", "ends in the middle of a value");
+    if (size > left()) fail_short();
     if (size > 0) std::memcpy(data, bytes_.data() + position_, size);
     position_ += size;
   }
@@ -95,10 +99,13 @@ class Reader {
 
   std::size_t left() const { return bytes_.size() - position_; }
   std::size_t position() const { return position_; }
+  std::uint32_t world() const { return world_; }
 
  private:
+  [[noreturn]] static void fail_short() { throw Error("data", "ends in the middle of a value"); }
   std::span<const std::byte> bytes_;
   std::size_t position_;
+  std::uint32_t world_;
 };
 
 // What take_sealed() wrote, without its hash; throws Error("data", …) where it is cut short or damaged.
@@ -122,9 +129,15 @@ inline void read(Reader& r, std::string& s) { s = r.text(); }
 inline void write(Writer& w, const std::vector<std::byte>& x) { w.array(x); }
 inline void read(Reader& r, std::vector<std::byte>& x) { r.array(x); }
 template <class Tag>
-void write(Writer& w, const Handle<Tag>& h) { w.value(h.index), w.value(h.generation); }
+void write(Writer& w, const Handle<Tag>& h) { w.value(h.index), w.value(std::uint32_t(h.generation)); }
 template <class Tag>
-void read(Reader& r, Handle<Tag>& h) { h.index = r.value<std::uint32_t>(), h.generation = r.value<std::uint32_t>(); }
+void read(Reader& r, Handle<Tag>& h) {
+  h.index = r.value<std::uint32_t>();
+  const auto generation = r.value<std::uint32_t>();
+  if (generation > Handle<Tag>::last_generation) throw Error("data", "names a generation that does not exist");
+  h.generation = generation & Handle<Tag>::last_generation;
+  h.world = (h.null() ? 0 : r.world()) & (Handle<Tag>::worlds - 1);
+}
 template <class T>
   requires requires(Writer& w, const T& x) { describe(w, x); }
 void write(Writer& w, const T& x) { describe(w, x); }

@@ -1,5 +1,6 @@
 // Generational slots: hands out indices into parallel arrays, takes them back, and knows a dead handle from a live one.
-// Freed slots are used again last in, first out; that order decides later indices, so all of it is state.
+// Freed slots are used again last in, first out; that order decides later indices, so all of it is state. The world that the handles are of is none: nothing that is
+// computed depends on it.
 #pragma once
 
 #include "base/archive.h"
@@ -21,37 +22,46 @@ class Slots {
   }
   void give_back(std::uint32_t i) {
     --live_;
-    ++generation_[i];
-    free_.push_back(i);
+    if (++generation_[i] < last) free_.push_back(i);  // else its generations are used up, and it stays empty
   }
   // A generation is odd while its slot is in use.
   bool used(std::uint32_t i) const { return i < generation_.size() && (generation_[i] & 1) != 0; }
   template <class Tag>
   bool alive(Handle<Tag> h) const {
-    return h.index < generation_.size() && generation_[h.index] == h.generation && used(h.index);
+    return h.world == world_ && h.index < generation_.size() && generation_[h.index] == h.generation && used(h.index);
   }
+  void belong_to(std::uint32_t world) { world_ = world; }
   std::uint32_t generation(std::uint32_t i) const { return generation_[i]; }
   std::uint32_t size() const { return std::uint32_t(generation_.size()); }  // slots ever made: the length of the arrays
   std::uint32_t live() const { return live_; }
   template <class Tag>
-  Handle<Tag> handle(std::uint32_t i) const { return {i, generation_[i]}; }
+  Handle<Tag> handle(std::uint32_t i) const { 
+    Handle<Tag> h{i};
+    h.generation = generation_[i] & last, h.world = world_ & (Handle<Tag>::worlds - 1);
+    return h;
+  }
 
   friend void write(Writer& w, const Slots& s) { w.array(s.generation_), w.array(s.free_), w.value(s.live_); }
   friend void read(Reader& r, Slots& s) {
     r.array(s.generation_), r.array(s.free_), s.live_ = r.value<std::uint32_t>();
     std::vector<bool> seen(s.generation_.size());
     for (const std::uint32_t i : s.free_) {
-      if (i >= seen.size() || seen[i] || s.used(i)) throw Error("data", "frees a slot that is not free");
+      if (i >= seen.size() || seen[i] || s.used(i) || s.generation_[i] >= last) throw Error("data", "frees a slot that is not free");
       seen[i] = true;
     }
-    std::uint32_t used = 0;
-    for (std::uint32_t i = 0; i < s.size(); ++i) used += s.used(i) ? 1 : 0;
-    if (used != s.live_ || used + s.free_.size() != s.size()) throw Error("data", "loses a slot");
+    std::uint32_t used = 0, worn = 0;
+    for (std::uint32_t i = 0; i < s.size(); ++i) {
+      used += s.used(i) ? 1 : 0;
+      worn += !s.used(i) && s.generation_[i] > last ? 1 : 0;
+    }
+    if (used != s.live_ || used + worn + s.free_.size() != s.size()) throw Error("data", "loses a slot");
   }
 
  private:
+  static constexpr std::uint32_t last = Body::last_generation;
   std::vector<std::uint32_t> generation_, free_;
   std::uint32_t live_ = 0;
+  std::uint32_t world_ = 0;
 };
 
 }

@@ -28,8 +28,12 @@ struct PairMaterial {
 };
 static_assert(sizeof(PairMaterial) == 8 + sizeof(Material), "saved as bytes");
 
+// From 1 to Handle::worlds − 1, each call the next.
+std::uint32_t new_world_number();
+
 struct World::Impl {
-  explicit Impl(const Config& c);
+  // `number`: of the world, for its handles (new_world_number, or that of the world that was saved).
+  Impl(const Config& c, std::uint32_t number);
 
   // --- state ---
   Config config;
@@ -51,6 +55,7 @@ struct World::Impl {
 
   // --- outside the state ---
   GeometryStore geometry;
+  std::uint32_t number;                 // of this world and of those loaded from it
 
   // --- rebuilt, or living for one step ---
   std::unique_ptr<BroadPhase> broad;
@@ -113,9 +118,11 @@ struct World::Impl {
   void perform(const Wake&);
   void perform(const Load&);  // snapshot.cc
 
-  // Throws Error(what, …) unless the handle is alive.
+  // Throws Error(what, …) unless the handle is alive, and of this world.
   void require(Body, const char* what) const;
   void require(Joint, const char* what) const;
+  void require(ForceId, const char* what) const;
+  void require(SensorId, const char* what) const;
 
   // upkeep.cc
   const Geometry& geometry_of(std::uint32_t body) const { return geometry[bodies.geometry[body]].geometry(); }

@@ -8,18 +8,17 @@ namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
 template <class Id>
-[[noreturn]] void dead(const char* what, const Id& h) {
-  throw Error(what, h.null() ? "is null" : "is dead: it was removed, or belongs to another world");
+void require_alive(const World::Impl& w, const Slots& slots, Id h, const char* what) {
+  if (slots.alive(h)) return;
+  throw Error(what, h.null() ? "is null" : h.world != w.number ? "is of another world" : "is dead: it was removed");
 }
 
 }
 
-void World::Impl::require(Body b, const char* what) const {
-  if (!bodies.slots.alive(b)) dead(what, b);
-}
-void World::Impl::require(Joint j, const char* what) const {
-  if (!joints.slots.alive(j)) dead(what, j);
-}
+void World::Impl::require(Body b, const char* what) const { require_alive(*this, bodies.slots, b, what); }
+void World::Impl::require(Joint j, const char* what) const { require_alive(*this, joints.slots, j, what); }
+void World::Impl::require(ForceId f, const char* what) const { require_alive(*this, forces.slots, f, what); }
+void World::Impl::require(SensorId s, const char* what) const { require_alive(*this, sensor_slots, s, what); }
 
 // --- bodies ---
 
@@ -223,7 +222,7 @@ ForceId World::Impl::perform(const AddForce& op) {
 }
 
 void World::Impl::perform(const RemoveForce& op) {
-  if (!forces.slots.alive(op.force)) dead("force", op.force);
+  require(op.force, "force");
   forces.remove(op.force.index);
   wake_all();
 }
@@ -241,7 +240,7 @@ SensorId World::Impl::perform(const AddSensor& op) {
 }
 
 void World::Impl::perform(const RemoveSensor& op) {
-  if (!sensor_slots.alive(op.sensor)) dead("sensor", op.sensor);
+  require(op.sensor, "sensor");
   sensor_slots.give_back(op.sensor.index);
 }
 

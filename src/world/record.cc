@@ -104,7 +104,7 @@ bool Replay::done() const { return next_ >= steps_; }
 
 std::optional<Divergence> Replay::step(bool check) {
   if (done()) throw Error("recording", "has no more steps");
-  Reader r(data_, position_);
+  Reader r(data_, position_, world_.impl().number);
   const auto dt = r.value<double>();
   for (std::size_t n = r.count(1); n > 0; --n) {
     Operation op;

@@ -1,4 +1,5 @@
-// Save, load, hash. A snapshot is a header, the geometry, then the state in the order below; the hash is of the state.
+// Save, load, hash. A snapshot is a header with the world's number, the geometry, then the state in the order below; the
+// hash is of the state.
 #include "base/hash.h"
 #include "world/impl.h"
 #include "world/validate.h"
@@ -8,7 +9,8 @@ namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
 constexpr std::uint64_t magic = 0x31302e7261647573;  // "sudar.01" as bytes
-constexpr std::uint32_t version = 1, precision = sizeof(Real);
+constexpr std::uint32_t version = 1;
+constexpr std::uint16_t precision = sizeof(Real);
 
 // Proxies have padding, so they go field by field; all but the box follows from the bodies.
 void write_proxies(Writer& w, const std::vector<Proxy>& proxies) {
@@ -146,7 +148,7 @@ std::uint64_t World::Impl::hash() const {
 
 Bytes World::save() const {
   Writer w;
-  w.value(magic), w.value(version), w.value(precision);
+  w.value(magic), w.value(version), w.value(precision), w.value(std::uint16_t(impl_->number));
   write(w, impl_->geometry);
   impl_->write_state(w);
   return w.take_sealed();
@@ -160,11 +162,12 @@ void World::Impl::perform(const Load& op) {
   if (const auto v = r.value<std::uint32_t>(); v != version) {
     throw Error("version", "is " + std::to_string(v) + ", this program reads " + std::to_string(version));
   }
-  if (const auto p = r.value<std::uint32_t>(); p != precision) {
+  if (const auto p = r.value<std::uint16_t>(); p != precision) {
     throw Error("precision", std::string("is ") + (p == 4 ? "float" : "double") + ", this program has the other one");
   }
-  r = Reader(unseal(op.state), r.position());
-  Impl fresh{Config{}};
+  const std::uint32_t saved = r.value<std::uint16_t>() % Body::worlds;
+  r = Reader(unseal(op.state), r.position(), saved);
+  Impl fresh(Config{}, saved);
   read(r, fresh.geometry);
   fresh.read_state(r);
   // Whoever records goes on recording.

@@ -2,6 +2,7 @@
 #include <sudar/world.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "dynamics/integrate.h"
 #include "world/impl.h"
@@ -9,12 +10,21 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-World::Impl::Impl(const Config& c) : config(c) { rebuild(); }
+std::uint32_t new_world_number() {
+  static std::atomic<std::uint32_t> last = 0;  // reaches handles only, and of those no result
+  return last++ % (Body::worlds - 1) + 1;  // 0 is that of a null handle
+}
+
+World::Impl::Impl(const Config& c, std::uint32_t n) : config(c), number(n) {
+  for (Slots* slots : {&bodies.slots, &joints.slots, &forces.slots, &sensor_slots}) slots->belong_to(number);
+  rebuild();
+}
 
 World::World(const Config& config) {
   validate("", config);
-  impl_ = std::make_unique<Impl>(config);
+  impl_ = std::make_unique<Impl>(config, new_world_number());
 }
+World::Inside& World::Inside::operator=(std::unique_ptr<Impl> p) { return p_ = std::move(p), *this; }
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 World::~World() = default;
@@ -88,15 +98,15 @@ JointView World::operator[](Joint j) const {
   return {this, j.index};
 }
 const Force& World::operator[](ForceId f) const {
-  if (!impl_->forces.slots.alive(f)) throw Error("force", "is dead");
+  impl_->require(f, "force");
   return impl_->forces.definition[f.index];
 }
 const Sensor& World::operator[](SensorId s) const {
-  if (!impl_->sensor_slots.alive(s)) throw Error("sensor", "is dead");
+  impl_->require(s, "sensor");
   return impl_->sensors[s.index];
 }
 double World::value(SensorId s) const {
-  if (!impl_->sensor_slots.alive(s)) throw Error("sensor", "is dead");
+  impl_->require(s, "sensor");
   return impl_->sensor_memory[s.index].value;
 }
 

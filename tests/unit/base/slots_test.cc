@@ -30,6 +30,30 @@ TEST(Slots, HandlesLiveAndDie) {
   EXPECT_FALSE(s.alive(Body{99, 1}));
 }
 
+// A slot whose generations are used up is not used again: an old handle would come to life.
+TEST(Slots, WearOut) {
+  Slots s;
+  const std::uint32_t i = s.take();
+  const Body first = s.handle<BodyTag>(i);
+  Body last = first;
+  for (std::uint32_t next = i; next == i; next = s.take()) {
+    last = s.handle<BodyTag>(i);
+    ASSERT_TRUE(s.alive(last));
+    s.give_back(i);
+    ASSERT_FALSE(s.alive(last));
+  }
+  EXPECT_EQ(last.generation, Body::last_generation);
+  EXPECT_FALSE(s.alive(first));
+  EXPECT_EQ(s.live(), 1u);
+  Writer w;
+  write(w, s);
+  Reader r(w.bytes());
+  Slots restored;
+  read(r, restored);
+  EXPECT_FALSE(restored.used(i));
+  EXPECT_EQ(restored.take(), 2u);
+}
+
 // Freed slots come back last in, first out; that survives saving.
 TEST(Slots, SaveTheirOrder) {
   Random random(4);

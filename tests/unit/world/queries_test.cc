@@ -302,9 +302,10 @@ TEST(Quarantine, LeavesTheOthersAlone) {
       EXPECT_FALSE(q.reason.empty());
       ++reports;
     }
-    for (const Body b : sane.bodies()) {
-      ASSERT_EQ(sane[b].pose(), mad[b].pose()) << i;
-      ASSERT_EQ(sane[b].velocity(), mad[b].velocity()) << i;
+    const std::vector<Body> those = sane.bodies(), same = mad.bodies();
+    for (std::size_t b = 0; b < those.size(); ++b) {
+      ASSERT_EQ(sane[those[b]].pose(), mad[same[b]].pose()) << i;
+      ASSERT_EQ(sane[those[b]].velocity(), mad[same[b]].velocity()) << i;
     }
   }
   EXPECT_EQ(reports, 1);
