@@ -7,6 +7,12 @@ namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
 
+// Where there are joints a contact goes through three states, told by two flags of its ManifoldStart:
+//   not struck      it has not collided in this sub-step
+//   struck          it has; the velocities that its points then reached are its aims from now on, whoever changed them
+//                   but the joints
+//   struck, owes    joints were stopped since and took a part of the bounce: it is struck once more towards its aims
+// stop_joints() leads from the second to the third, strike() from any to the second.
 class Collisions {
  public:
   // Approach slower than a hundredth of gravity's share in a step is what turning arms and the last contact passes left
@@ -15,31 +21,35 @@ class Collisions {
 
   // Passes until no manifold approaches, thesis (3.15).
   void run() {
+    if (s_.rows.empty() && s_.joint_rows.empty()) return;
     for (int pass = 0; pass < s_.set.collision_passes; ++pass) {
       stop_joints();
-      const Stopwatch watch(s_.report.collision.microseconds);
+      const Stopwatch watch(s_.out.collision.microseconds);
       bool approaching = false;
-      for (ManifoldRow& m : s_.rows) {
-        if (m.owes) strike(m), approaching = true;
+      for (std::size_t k = 0; k < s_.rows.size(); ++k) {
+        if (s_.starts[k].owes) strike(k), approaching = true;
       }
-      for (ManifoldRow& m : s_.rows) {
-        if (!approaches(m)) continue;
+      for (std::size_t k = 0; k < s_.rows.size(); ++k) {
+        if (!approaches(k)) continue;
         approaching = true;
         if (s_.set.friction_per_increment)
-          strike_as_written(m);
+          strike_as_written(k);
         else
-          strike(m);
+          strike(k);
       }
       if (!approaching) break;
-      ++s_.report.collision.used;
+      ++s_.out.collision.used;
     }
   }
 
  private:
-  bool approaches(const ManifoldRow& m) const {
-    const Moving &a = s_.on[m.a].real, &b = s_.on[m.b].real;
+  bool approaches(std::size_t number) const {
+    const ManifoldRow& m = s_.rows[number];
+    const RelativeMotion motion = s_.motion(m);
     bool any = false;
-    for (const PointRow& p : m.rows()) any |= relative_velocity(a, b, m, p)[0] < p.free_speed - least_;
+    for (std::size_t k = 0; k < m.count; ++k) {
+      any |= relative_velocity(motion, m.points[k])[0] < s_.starts[number].points[k].free_speed - least_;
+    }
     return any;
   }
 
@@ -49,50 +59,59 @@ class Collisions {
   void stop_joints() {
     if (s_.joint_rows.empty()) return;
     const auto each_struck = [&](auto visit) {
-      for (ManifoldRow& m : s_.rows) {
-        if (!m.struck) continue;
-        const Moving &a = s_.on[m.a].real, &b = s_.on[m.b].real;
-        for (PointRow& p : m.rows()) visit(m, p, relative_velocity(a, b, m, p)[0]);
+      for (std::size_t n = 0; n < s_.rows.size(); ++n) {
+        if (!s_.starts[n].struck) continue;
+        const ManifoldRow& m = s_.rows[n];
+        const RelativeMotion motion = s_.motion(m);
+        for (std::size_t k = 0; k < m.count; ++k) {
+          visit(s_.starts[n], s_.starts[n].points[k], relative_velocity(motion, m.points[k])[0]);
+        }
       }
     };
-    each_struck([&](ManifoldRow&, PointRow& p, Real speed) {
+    each_struck([&](ManifoldStart&, ManifoldStart::Point& p, Real speed) {
       p.unheld = speed;
       if (abs(speed - p.aim) > Real(1e-3) * s_.fastest) p.aim = speed;
     });
     s_.visit_joints([&](JointSolve& j) { j.stop(s_.on); });
-    each_struck([&](ManifoldRow& m, PointRow& p, Real speed) {
+    each_struck([&](ManifoldStart& m, ManifoldStart::Point& p, Real speed) {
       m.owes |= p.unheld - speed > least_ || (p.blow.x > 0 && speed - p.unheld > least_);
     });
   }
 
-  // One impact of a manifold: all its points at once, with accumulated impulses that live in this impact only.
-  void strike(ManifoldRow& m) {
-    const Moving a0 = s_.on[m.a].real, b0 = s_.on[m.b].real;
-    Moving a = a0, b = b0;
-    std::array<Vec3, 4> blow{};
-    if (m.owes) {
-      for (std::size_t k = 0; k < m.count; ++k) blow[k] = m.points[k].blow;
+  // One impact of a manifold. It sticks if it can: only when the static cone does not hold does it slip, under dynamic
+  // friction.
+  void strike(std::size_t number) {
+    ManifoldStart& start = s_.starts[number];
+    std::array<Vec3, 4> blow{};  // what it begins with
+    if (start.owes) {
+      for (std::size_t k = 0; k < 4; ++k) blow[k] = start.points[k].blow;
     }
+    const ManifoldRow& m = s_.rows[number];
+    Impact impact(s_.on, m, start, least_);
     const auto again = [&](Real restitution, Real friction) {
-      a = a0, b = b0;
-      for (std::size_t k = 0; k < m.count; ++k) m.points[k].blow = blow[k];
-      return impact(m, a, b, restitution, friction, least_, s_.report.collision.visits);
+      for (std::size_t k = 0; k < 4; ++k) start.points[k].blow = blow[k];
+      impact.strike(restitution, friction, s_.out.collision.visits);
     };
-    // It sticks if it can: only when the static cone does not hold does it slip, under dynamic friction.
-    Real friction = m.material.friction_static;
-    Impact outcome = again(m.material.restitution, friction);
-    if (outcome.slips && m.material.friction_dynamic != friction) {
-      friction = m.material.friction_dynamic;
-      outcome = again(m.material.restitution, friction);
+    Real friction = start.friction_static;
+    again(start.restitution, friction);
+    if (impact.slips && start.friction_dynamic != friction) {
+      friction = start.friction_dynamic;
+      again(start.restitution, friction);
     }
-    if (outcome.made_energy) outcome = again(0, friction);  // friction made energy: take the bounce away instead
+    if (impact.made_energy) again(0, friction);  // friction made energy: take the bounce away instead
+    Moving a = s_.on[m.a].real, b = s_.on[m.b].real;
+    apply(a, b, s_.on[m.a], s_.on[m.b], m, impact.impulse);
     put(s_.on, m, a, b);
-    m.struck = true, m.owes = false;
+    start.struck = true, start.owes = false;
   }
 
-  void strike_as_written(ManifoldRow& m) {
-    for (PointRow& p : m.rows()) p.hit |= increment_as_written(s_.on, m, p, m.material.restitution) > 0;
-    s_.report.collision.visits += m.count;
+  void strike_as_written(std::size_t number) {
+    const ManifoldRow& m = s_.rows[number];
+    ManifoldStart& start = s_.starts[number];
+    for (std::size_t k = 0; k < m.count; ++k) {
+      start.points[k].hit |= increment_as_written(s_.on, m, start, k, start.restitution) > 0;
+    }
+    s_.out.collision.visits += m.count;
   }
 
   SubStep& s_;
@@ -101,6 +120,6 @@ class Collisions {
 
 }
 
-void collide(SubStep& s) { Collisions(s).run(); }
+void strike_contacts(SubStep& s) { Collisions(s).run(); }
 
 }

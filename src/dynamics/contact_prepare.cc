@@ -17,61 +17,90 @@ Manifold centre(const Manifold& m) {
   return one;
 }
 
-// The impulse of the last sub-step, point by feature; friction turned into the new tangent plane.
-void remember(const SubStep& s, const ContactImpulse& stored, const Manifold& manifold, ManifoldRow& m) {
-  const Mat3 to_frame = transpose(m.frame);
-  for (std::size_t k = 0; k < m.count; ++k) {
-    const int match = s.set.one_point_contact ? 0 : manifold.points[k].match;
-    if (match < 0) continue;
-    m.points[k].impulse = to_frame * stored.friction[std::size_t(match)];
-    m.points[k].impulse.x = stored.normal[std::size_t(match)];
-  }
-  if (m.resists_turning()) m.turn.impulse = to_frame * stored.turning;
-}
+class Preparation {
+ public:
+  Preparation(SubStep& s, std::size_t k)
+      : s_(s), c_(s.in.contacts[s.island.contacts.first + k]), m_(s.rows[k]), start_(s.starts[k]), push_(s.pushes[k]),
+        turn_(s.turns[k]), a_(s.on[s.on.number(c_.a)]), b_(s.on[s.on.number(c_.b)]) {}
 
-void prepare(SubStep& s, std::uint32_t contact, ManifoldRow& m) {
-  const ActiveContact& c = s.in.contacts[contact];
-  const Manifold manifold = s.set.one_point_contact ? centre(*c.manifold) : *c.manifold;
-  m.a = c.a, m.b = c.b;
-  m.contact = contact;
-  m.count = std::uint32_t(manifold.count);
-  m.material = c.material;
-  m.struck = m.owes = false;
-  const Vec3 n = manifold.normal, t = any_perpendicular(n);
-  m.frame = {n, t, cross(n, t)};
-  const Mat3 to_frame = transpose(m.frame);
-  const SolverBody &a = s.on[c.a], &b = s.on[c.b];
-  m.to_frame = lanes(to_frame);
-  m.mass_a = lanes(m.frame * a.inverse_mass);
-  m.mass_b = lanes(m.frame * b.inverse_mass);
-  m.a_answers = a.inverse_mass > 0, m.b_answers = b.inverse_mass > 0;
-  if (m.resists_turning()) prepare_turning(m.turn, m.frame, a, b);
-  const Vec3 to_shape = rotate(s.bodies.orientation[c.a], s.bodies.shape_frame[c.a].p);
-  const Vec3 apart = s.bodies.position[c.a] - s.bodies.position[c.b];
-  const Vec3 surfaces = s.bodies.surface_velocity_world(c.a) - s.bodies.surface_velocity_world(c.b);
-  const Real4 glide{0, dot(m.frame.c1, surfaces), dot(m.frame.c2, surfaces), 0};
-  for (std::size_t k = 0; k < m.count; ++k) {
-    const ManifoldPoint& from = manifold.points[k];
-    PointRow& p = m.points[k] = PointRow{};
-    p.glide = glide;
-    p.ra = from.at + to_shape;
-    p.rb = p.ra + apart;
-    prepare_masses(p, to_frame, a, b);
-    const Real depth = -from.separation;
-    p.free_speed = min(Real(0), depth / s.h);
-    p.start = relative_velocity(a.real, b.real, m, p)[0];
-    s.fastest = max(s.fastest, -p.start);
-    p.push_target = s.set.correction / s.h * max(Real(0), depth - s.slop());  // thesis (3.20): a speed
+  void run() {
+    const Manifold manifold = s_.set.one_point_contact ? centre(*c_.manifold) : *c_.manifold;
+    m_.a = s_.on.number(c_.a), m_.b = s_.on.number(c_.b);
+    m_.contact = std::uint32_t(&c_ - s_.in.contacts.data());
+    m_.count = std::uint8_t(manifold.count);
+    m_.a_answers = a_.answers(), m_.b_answers = b_.answers();
+    m_.slip_y = m_.slip_z = 0;
+    m_.resists_turning = c_.material.rolling > 0 || c_.material.spinning > 0;
+    start_.restitution = c_.material.restitution;
+    start_.friction_static = c_.material.friction_static, start_.friction_dynamic = c_.material.friction_dynamic;
+    start_.struck = start_.owes = false;
+    const Vec3 n = manifold.normal, t = any_perpendicular(n);
+    const Mat3 frame{n, t, cross(n, t)};
+    m_.frame = lanes(frame), m_.to_frame = lanes(transpose(frame));
+    points(manifold, frame);
+    remember(manifold, transpose(frame));
   }
-  prepare_shared(m, a, b);
-  remember(s, s.contacts.impulse[c.slot], manifold, m);
-}
+
+ private:
+  void points(const Manifold& manifold, const Mat3& frame) {
+    const Bodies& bodies = s_.in.bodies;
+    const Vec3 to_shape = rotate(bodies.orientation[c_.a], bodies.shape_frame[c_.a].p);
+    const Vec3 apart = bodies.position[c_.a] - bodies.position[c_.b];
+    const Vec3 surfaces = bodies.surface_velocity_world(c_.a) - bodies.surface_velocity_world(c_.b);
+    const Real4 glide{0, dot(frame.c1, surfaces), dot(frame.c2, surfaces), 0};
+    Vec3 middle;
+    for (std::size_t k = 0; k < m_.count; ++k) middle += manifold.points[k].at / Real(m_.count);
+    m_.ra = lanes(middle + to_shape), m_.rb = lanes(middle + to_shape + apart);
+    prepare_response(m_, a_, b_);
+    const RelativeMotion motion = motion_of(m_, a_.real, b_.real);
+    push_ = {};
+    for (std::size_t k = 0; k < m_.count; ++k) {
+      const ManifoldPoint& from = manifold.points[k];
+      PointRow& p = m_.points[k] = PointRow{};
+      ManifoldStart::Point& start = start_.points[k] = {};
+      p.at = m_.to_frame * lanes(from.at - middle);
+      p.glide = glide;
+      prepare_masses(m_, p);
+      start.depth = -from.separation;
+      start.free_speed = min(Real(0), start.depth / s_.h);
+      start.speed = relative_velocity(motion, p)[0];
+      s_.fastest = max(s_.fastest, -start.speed);
+      // thesis (3.20): a speed
+      push_.target[k] = s_.set.correction / s_.h * max(Real(0), start.depth - s_.slop());
+      push_.needed |= push_.target[k] > 0;
+    }
+  }
+
+  // The impulse of the last sub-step, point by feature; friction turned into the new tangent plane.
+  void remember(const Manifold& manifold, const Mat3& to_frame) {
+    const ContactImpulse& stored = s_.in.contact_state.impulse[c_.slot];
+    for (std::size_t k = 0; k < m_.count; ++k) {
+      const int match = s_.set.one_point_contact ? 0 : manifold.points[k].match;
+      if (match < 0) continue;
+      m_.points[k].impulse = to_frame * stored.friction[std::size_t(match)];
+      m_.points[k].impulse.x = stored.normal[std::size_t(match)];
+    }
+    if (!m_.resists_turning) return;
+    prepare_turning(turn_, m_);
+    turn_.spinning = c_.material.spinning, turn_.rolling = c_.material.rolling;
+    turn_.impulse = to_frame * stored.turning;
+  }
+
+  SubStep& s_;
+  const ActiveContact& c_;
+  ManifoldRow& m_;
+  ManifoldStart& start_;
+  ManifoldPush& push_;
+  TurnRow& turn_;
+  const SolverBody &a_, &b_;
+};
 
 }
 
 void prepare_contacts(SubStep& s) {
-  s.rows.resize(s.in.contacts.size());
-  for (std::uint32_t k = 0; k < s.rows.size(); ++k) prepare(s, k, s.rows[k]);
+  const std::size_t count = s.island.contacts.count;
+  s.rows.resize(count), s.starts.resize(count), s.pushes.resize(count), s.turns.resize(count);
+  for (std::size_t k = 0; k < count; ++k) Preparation(s, k).run();
 }
 
 }

@@ -5,7 +5,7 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-// Sets s.rows, with the impulses that the last sub-step left, and s.fastest.
+// Sets the rows of the island's contacts, with the impulses that the last sub-step left, and s.fastest.
 void prepare_contacts(SubStep& s);
 
 }

@@ -49,129 +49,129 @@ bool invert(std::vector<Real> a, std::size_t n, std::vector<Real>& inverse) {
 
 }
 
-void Drives::prepare(std::vector<JointSolve>& joints, const Joints& state, JointGroups& groups, const Bodies& bodies,
-                     const Forces& forces, const SolverBodies& on, Real h) {
-  impulses_.assign(joints.size(), 0);
-  kept_.assign(joints.size(), {});
-  field_.assign(bodies.size() + 1, {});
-  const Scene scene{joints, state, bodies, forces, on, h};
-  for (JointGroup& g : groups.all()) prepare_group(g, scene);
+void Drives::prepare(SubStep& s, std::span<const JointGroup> groups) {
+  impulses_.assign(s.joint_rows.size(), 0);
+  kept_.resize(s.joint_rows.size());
+  if (field_.size() < s.on.size()) field_.resize(s.on.size());
+  for (const JointGroup& g : groups) prepare_group(g, s);
 }
 
-void Drives::prepare_group(JointGroup& g, const Scene& s) {
+void Drives::forget(const JointGroup& g, const SubStep& s) {
+  for (const std::uint32_t body : g.component->bodies) field_[s.on.number(body)] = {};
+  field_[SolverBodies::still] = {};
+}
+
+void Drives::prepare_group(const JointGroup& g, SubStep& s) {
   driven_.clear();
   for (const std::uint32_t k : g.joints) {
-    if (s.joints[k].driven()) driven_.emplace_back(k);
+    if (s.joint_rows[k].driven()) driven_.emplace_back(k);
   }
   if (driven_.empty()) return;
   std::optional<JointSystem> alone;  // of one joint
   const auto own = [&](std::uint32_t k, Driven& d) {
-    const auto answers = [&](std::uint32_t i) { return i != no_body && s.bodies.dynamic(i) ? i : JointSystem::nobody; };
-    const JointSolve& j = s.joints[k];
+    const auto answers = [&](std::uint32_t i) { return s.on[i].answers() ? i : JointSystem::nobody; };
+    const JointSolve& j = s.joint_rows[k];
     const JointSystem::Joint joint{answers(j.a), answers(j.b), int(j.rows().size())};
     alone = JointSystem::plan({&joint, 1}, std::numeric_limits<std::int64_t>::max());
     rows_ = {j.rows()};
     alone->factor(rows_);
     respond(*alone, {&k, 1}, s, d);
   };
-  if (g.system) {
-    rows_of(g, s.joints, rows_);
-    g.system->factor(rows_);
+  std::optional<JointSystem>& system = g.component->system;
+  if (system) {
+    rows_of(g, s.joint_rows, rows_);
+    system->factor(rows_);
   }
   const std::size_t n = driven_.size();
   answer_.assign(n * n, 0);
   for (std::size_t i = 0; i < n; ++i) {
     Driven& d = driven_[i];
-    if (g.system)
-      respond(*g.system, g.joints, s, d);
+    if (system)
+      respond(*system, g.joints, s, d);
     else
       own(d.joint, d);
-    for (const std::uint32_t body : g.dynamic) d.motion.push_back(field_[body + 1]);
+    for (const std::uint32_t body : g.component->dynamic) d.motion.push_back(field_[s.on.number(body)]);
     for (std::size_t k = 0; k < n; ++k) {
-      const JointSolve& other = s.joints[driven_[k].joint];
-      answer_[i * n + k] = other.coordinate().speed(field_[other.a + 1], field_[other.b + 1]);
+      const JointSolve& other = s.joint_rows[driven_[k].joint];
+      answer_[i * n + k] = other.coordinate().speed(field_[other.a], field_[other.b]);
     }
     answer_[i * n + i] = d.inverse_mass;
-    for (const std::uint32_t body : g.moving) field_[body + 1] = {};
-    field_[0] = {};
+    forget(g, s);
   }
   for (Driven& d : driven_) {
     Real inverse_mass = d.inverse_mass;
-    if (g.system && n * g.joints.size() > most_carried) {
+    if (system && n * g.joints.size() > most_carried) {
       Driven local(d.joint);
       own(d.joint, local);
-      for (const std::uint32_t body : g.moving) field_[body + 1] = {};
-      field_[0] = {};
+      forget(g, s);
       inverse_mass = local.inverse_mass, kept_[d.joint] = std::move(local.carried);
     } else {
       kept_[d.joint] = std::move(d.carried);
     }
-    s.joints[d.joint].set_response(inverse_mass, kept_[d.joint]);
+    s.joint_rows[d.joint].set_response(inverse_mass, kept_[d.joint]);
   }
   carry_on(g, s);
-  couple(g, s);
-  aim(g, s, true);
+  couple();
+  aim(s, true);
   solve(s);
-  aim(g, s, false);
+  aim(s, false);
 }
 
 // The motion of a unit impulse, and the joints' impulses that keep it one that they allow. Its kinetic energy is half
 // the answer: that way rounding is not magnified where d and cᵀ A⁻¹ c almost cancel.
-void Drives::respond(JointSystem& system, std::span<const std::uint32_t> joints, const Scene& s, Driven& d) {
-  const JointSolve& own = s.joints[d.joint];
-  own.coordinate().apply(field_[own.a + 1], field_[own.b + 1], 1);
-  for (const std::uint32_t k : joints) d.carried.push_back({&s.joints[k], {}});
+void Drives::respond(JointSystem& system, std::span<const std::uint32_t> joints, SubStep& s, Driven& d) {
+  const JointSolve& own = s.joint_rows[d.joint];
+  own.coordinate().apply(field_[own.a], field_[own.b], 1);
+  for (const std::uint32_t k : joints) d.carried.push_back({&s.joint_rows[k], {}});
   lambda_.resize(joints.size());
   for (int refinement = 0; refinement < 2; ++refinement) {
     for (std::size_t n = 0; n < joints.size(); ++n) {
-      const JointSolve& j = s.joints[joints[n]];
+      const JointSolve& j = s.joint_rows[joints[n]];
       for (std::size_t r = 0; r < j.rows().size(); ++r)
-        lambda_[n][r] = -j.rows()[r].speed(field_[j.a + 1], field_[j.b + 1]);
+        lambda_[n][r] = -j.rows()[r].speed(field_[j.a], field_[j.b]);
     }
     system.solve(lambda_);
     for (std::size_t n = 0; n < joints.size(); ++n) {
-      const JointSolve& j = s.joints[joints[n]];
+      const JointSolve& j = s.joint_rows[joints[n]];
       for (std::size_t r = 0; r < j.rows().size(); ++r) {
-        j.rows()[r].apply(field_[j.a + 1], field_[j.b + 1], lambda_[n][r]);
+        j.rows()[r].apply(field_[j.a], field_[j.b], lambda_[n][r]);
         d.carried[n].impulse[r] += lambda_[n][r];
       }
     }
   }
   Real energy = 0;
-  const auto add = [&](std::uint32_t i) {
-    if (i == no_body || !s.bodies.dynamic(i)) return;
-    const Vec3 v = vector(field_[i + 1].v), w = vector(field_[i + 1].w);
-    energy += s.bodies.mass[i] * length_squared(v) + dot(w, s.bodies.inertia_world(i) * w);
-  };
   std::vector<std::uint32_t> bodies;
-  for (const std::uint32_t k : joints) {
-    for (const std::uint32_t i : {s.joints[k].a, s.joints[k].b}) {
-      if (i != no_body) bodies.push_back(i);
-    }
-  }
+  for (const std::uint32_t k : joints) bodies.push_back(s.joint_rows[k].a), bodies.push_back(s.joint_rows[k].b);
   std::sort(bodies.begin(), bodies.end());
   bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-  for (const std::uint32_t i : bodies) add(i);
+  for (const std::uint32_t n : bodies) {
+    if (!s.on[n].answers()) continue;
+    const std::uint32_t i = s.on.slot(n);
+    const Vec3 v = vector(field_[n].v), w = vector(field_[n].w);
+    energy += s.in.bodies.mass[i] * length_squared(v) + dot(w, s.in.bodies.inertia_world(i) * w);
+  }
   d.inverse_mass = max(energy, least_answer * response(own.coordinate(), own.coordinate()));
 }
 
 // By the principle of virtual work: what the loads do along the motion of a unit impulse, the rate gains.
-void Drives::carry_on(const JointGroup& g, const Scene& s) {
-  evaluate(s.forces, s.bodies, g.dynamic, s.bodies.position, s.bodies.orientation, loads_);
-  for (Driven& d : driven_) d.rate = d.carried_on = s.joints[d.joint].rate(s.on);
-  for (std::size_t n = 0; n < g.dynamic.size(); ++n) {
-    const std::uint32_t i = g.dynamic[n];
-    SolverBody then = s.on[i];
-    accelerate(s.bodies, i, loads_[i], drag_on(s.forces, s.bodies, i), s.h, then);
-    const Vec3 momentum = vector(then.real.v - s.on[i].real.v) * s.bodies.mass[i];
-    const Vec3 turn = s.bodies.inertia_world(i) * vector(then.real.w - s.on[i].real.w);
+void Drives::carry_on(const JointGroup& g, const SubStep& s) {
+  const Bodies& bodies = s.in.bodies;
+  evaluate(s.in.forces, bodies, g.component->dynamic, loads_);
+  for (Driven& d : driven_) d.rate = d.carried_on = s.joint_rows[d.joint].rate(s.on);
+  for (std::size_t n = 0; n < loads_.size(); ++n) {
+    const std::uint32_t i = g.component->dynamic[n];
+    const SolverBody& now = s.on[s.on.number(i)];
+    SolverBody then = now;
+    accelerate(bodies, i, loads_[n], drag_on(s.in.forces, bodies, i), s.h, then);
+    const Vec3 momentum = vector(then.real.v - now.real.v) * bodies.mass[i];
+    const Vec3 turn = bodies.inertia_world(i) * vector(then.real.w - now.real.w);
     for (Driven& d : driven_) d.carried_on += inner(momentum, turn, d.motion[n]);
   }
 }
 
 // The inertia matrix of the driven coordinates: what one of them feels while the others are held. Where two drive the
 // same motion there is none, and each is taken for itself.
-void Drives::couple(const JointGroup&, const Scene&) {
+void Drives::couple() {
   const std::size_t n = driven_.size();
   if (n <= most_coupled && invert(answer_, n, inertia_)) return;
   inertia_.assign(n * n, 0);
@@ -182,12 +182,12 @@ void Drives::couple(const JointGroup&, const Scene&) {
 // as if every body went on along its circle, F·u sin kw / k + F·(ω × u) (1 − cos kw) / k² with its motion u, ω per unit
 // of the coordinate and k = |ω|: exact for what turns about an axis or slides along one under forces that do not
 // change.
-Drives::Servo Drives::plan(const JointGroup& g, const Scene& s, std::size_t n, Real way) const {
+Drives::Servo Drives::plan(const SubStep& s, std::size_t n, Real way) const {
   const std::size_t count = driven_.size();
   const Real inertia = inertia_[n * count + n], distance = abs(way), forward = way < 0 ? Real(-1) : Real(1);
   Real work = 0;
-  for (std::size_t b = 0; b < g.dynamic.size(); ++b) {
-    const Wrench& load = loads_[g.dynamic[b]];
+  for (std::size_t b = 0; b < loads_.size(); ++b) {
+    const Wrench& load = loads_[b];
     if (load.force == Vec3{} && load.torque == Vec3{}) continue;
     Vec3 u, w;
     for (std::size_t j = 0; j < count; ++j) {
@@ -199,7 +199,7 @@ Drives::Servo Drives::plan(const JointGroup& g, const Scene& s, std::size_t n, R
     if (angle > Real(0.01)) along = sin(angle) / k, across = (1 - cos(angle)) / (k * k);
     work += dot(load.force, u) * along + dot(load.force, cross(w, u)) * across + dot(load.torque, w) * distance;
   }
-  const Real force = s.joints[driven_[n].joint].drive(s.state).force;
+  const Real force = s.joint_rows[driven_[n].joint].drive(s.in.joint_state).force;
   // At the target itself it must be able to creep, whatever pulls.
   const Real left = distance > 0 ? force - work / distance : force;
   return {way, planned * max(left, Real(1e-3) * force) / inertia, inertia};
@@ -207,15 +207,15 @@ Drives::Servo Drives::plan(const JointGroup& g, const Scene& s, std::size_t n, R
 
 // `staggered`: half of the drive's impulse acts before the drift and half after, so that half of the present rate is
 // still driven before the new one counts.
-void Drives::aim(const JointGroup& g, const Scene& s, bool staggered) {
+void Drives::aim(SubStep& s, bool staggered) {
   const std::size_t n = driven_.size();
   std::vector<Servo> plans(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const JointSolve& j = s.joints[driven_[i].joint];
-    const Drive& drive = j.drive(s.state);
+    const JointSolve& j = s.joint_rows[driven_[i].joint];
+    const Drive& drive = j.drive(s.in.joint_state);
     if (drive.mode != DriveMode::servo) continue;
-    const Real rest = drive.target - s.state.coordinate[j.joint()];
-    plans[i] = plan(g, s, i, staggered ? rest - s.h * driven_[i].rate * Real(0.5) : rest);
+    const Real rest = drive.target - s.in.joint_state.coordinate[j.joint()];
+    plans[i] = plan(s, i, staggered ? rest - s.h * driven_[i].rate * Real(0.5) : rest);
   }
   // Servos that brake together press on each other: each plans so softly that all have the force for it.
   Real share = 1;
@@ -233,24 +233,24 @@ void Drives::aim(const JointGroup& g, const Scene& s, bool staggered) {
   }
   for (std::size_t i = 0; i < n; ++i) {
     if (plans[i].inertia == 0) continue;
-    JointSolve& j = s.joints[driven_[i].joint];
+    JointSolve& j = s.joint_rows[driven_[i].joint];
     const Servo& servo = plans[i];
-    const Real speed = min(stoppable(abs(servo.way), share * servo.deceleration, s.h), j.drive(s.state).max_speed);
+    const Real speed = min(stoppable(abs(servo.way), share * servo.deceleration, s.h), j.drive(s.in.joint_state).max_speed);
     j.set_aim(servo.way < 0 ? -speed : speed);
   }
 }
 
 // The impulses of the group's drives together, each within its force: projected Gauss–Seidel.
-void Drives::solve(const Scene& s) {
+void Drives::solve(const SubStep& s) {
   constexpr int passes = 50;
   const std::size_t n = driven_.size();
   for (int pass = 0; pass < passes; ++pass) {
     Real change = 0, all = 0;
     for (std::size_t i = 0; i < n; ++i) {
-      const JointSolve& j = s.joints[driven_[i].joint];
+      const JointSolve& j = s.joint_rows[driven_[i].joint];
       Real rate = driven_[i].carried_on;
       for (std::size_t k = 0; k < n; ++k) rate += answer_[k * n + i] * impulses_[driven_[k].joint];
-      const Real most = j.drive(s.state).force * s.h;
+      const Real most = j.drive(s.in.joint_state).force * s.h;
       Real& impulse = impulses_[driven_[i].joint];
       const Real total = clamp(impulse + (j.aim() - rate) / answer_[i * n + i], -most, most);
       change = max(change, abs(total - impulse) * answer_[i * n + i]), all = max(all, abs(j.aim()) + abs(rate));

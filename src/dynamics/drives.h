@@ -5,8 +5,7 @@
 // loads will do on the rest of the way.
 #pragma once
 
-#include "dynamics/forces.h"
-#include "dynamics/joint_groups.h"
+#include "dynamics/joint_group.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -14,8 +13,7 @@ namespace sudar::inline SUDAR_PRECISION {
 class Drives {
  public:
   // Before any visit, with `on` as the sub-step begins: gives every driven joint what it moves, and servos their aim.
-  void prepare(std::vector<JointSolve>& joints, const Joints& state, JointGroups& groups, const Bodies& bodies,
-               const Forces& forces, const SolverBodies& on, Real h);
+  void prepare(SubStep&, std::span<const JointGroup>);
   // Of joint k over the whole sub-step, should nothing but joints and loads act on its group, half of it acting before
   // the drift and half after.
   Real impulse(std::uint32_t k) const { return impulses_[k]; }
@@ -23,40 +21,33 @@ class Drives {
  private:
   struct Driven {
     explicit Driven(std::uint32_t number) : joint(number) {}
-    std::uint32_t joint;            // number in the list
+    std::uint32_t joint;            // number in SubStep::joint_rows
     Real inverse_mass = 0;          // that it feels while nothing else drives
     Real rate = 0, carried_on = 0;  // now; after the sub-step without drives
     std::vector<Moving> motion;     // that a unit of its impulse makes, by body of the group
     std::vector<JointSolve::Carried> carried;
-  };
-  struct Scene {
-    std::vector<JointSolve>& joints;
-    const Joints& state;
-    const Bodies& bodies;
-    const Forces& forces;
-    const SolverBodies& on;
-    Real h;
   };
   // Work of the loads while a servo's bodies go on along their circles: see drives.cc.
   struct Servo {
     Real way = 0, deceleration = 0, inertia = 0;
   };
 
-  void prepare_group(JointGroup&, const Scene&);
-  void respond(JointSystem&, std::span<const std::uint32_t> joints, const Scene&, Driven&);
-  void carry_on(const JointGroup&, const Scene&);
-  void couple(const JointGroup&, const Scene&);
-  Servo plan(const JointGroup&, const Scene&, std::size_t n, Real way) const;
-  void aim(const JointGroup&, const Scene&, bool staggered);
-  void solve(const Scene&);
+  void prepare_group(const JointGroup&, SubStep&);
+  void respond(JointSystem&, std::span<const std::uint32_t> joints, SubStep&, Driven&);
+  void carry_on(const JointGroup&, const SubStep&);
+  void couple();
+  Servo plan(const SubStep&, std::size_t n, Real way) const;
+  void aim(SubStep&, bool staggered);
+  void solve(const SubStep&);
+  void forget(const JointGroup&, const SubStep&);
 
   std::vector<Driven> driven_;                          // of the group at work
   std::vector<Real> answer_;                            // their rates to each other's impulses, n × n
   std::vector<Real> inertia_;                           // its inverse
-  std::vector<Real> impulses_;                          // by joint of the list
+  std::vector<Real> impulses_;                          // by joint of the island
   std::vector<std::vector<JointSolve::Carried>> kept_;  // what JointSolve looks at
-  std::vector<Moving> field_;                           // by body slot + 1
-  std::vector<Wrench> loads_;
+  std::vector<Moving> field_;                           // by number of the body; zero between uses
+  std::vector<Wrench> loads_;  // by number in the component's `dynamic`
   std::vector<std::span<const PreparedRow>> rows_;
   std::vector<std::array<Real, 6>> lambda_;
 };

@@ -1,5 +1,7 @@
 #include "dynamics/forces.h"
 
+#include <algorithm>
+
 namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
@@ -13,7 +15,8 @@ void for_each(const Forces& forces, Visit visit) {
 }
 
 // Newton's gravity of every present body on body i, N.
-Vec3 attraction(const NBody& law, const Bodies& bodies, std::uint32_t i, std::span<const Pos> position) {
+Vec3 attraction(const NBody& law, const Bodies& bodies, std::uint32_t i) {
+  const std::vector<Pos>& position = bodies.position;
   Vec3d sum;
   for (std::uint32_t j = 0; j < bodies.size(); ++j) {
     if (j == i || !bodies.slots.used(j) || bodies.mass[j] == 0) continue;
@@ -34,21 +37,36 @@ Vec3 gravity(const Forces& forces) {
 }
 
 void evaluate(const Forces& forces, const Bodies& bodies, std::span<const std::uint32_t> which,
-              std::span<const Pos> position, std::span<const Quat> orientation, std::vector<Wrench>& out) {
-  out.resize(bodies.size());
+              std::vector<Wrench>& out) {
+  out.resize(which.size());
   const Vec3 g = gravity(forces);
-  for (const std::uint32_t i : which) out[i] = {g * bodies.mass[i] + bodies.force[i], bodies.torque[i]};
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const std::uint32_t i = which[k];
+    out[k] = {g * bodies.mass[i] + bodies.force[i], bodies.torque[i]};
+  }
   for_each<NBody>(forces, [&](const NBody& f) {
-    for (const std::uint32_t i : which) out[i].force += attraction(f, bodies, i, position);
+    for (std::size_t k = 0; k < which.size(); ++k) out[k].force += attraction(f, bodies, which[k]);
   });
-  for_each<Thruster>(forces, [&](const Thruster& f) {
-    const std::uint32_t i = f.body.index;
-    if (!bodies.awake(i)) return;
-    const Quat& q = orientation[i];
-    const Vec3 force = rotate(q, rotate(bodies.shape_frame[i].q, f.force));
-    out[i].force += force;
-    out[i].torque += cross(rotate(q, bodies.shape_frame[i].point(f.at)), force);
-  });
+  std::vector<const Thruster*> thrusters;  // by body, then in the order of forces
+  for_each<Thruster>(forces, [&](const Thruster& f) { thrusters.push_back(&f); });
+  if (thrusters.empty()) return;
+  const auto by_body = [](const Thruster* f) { return f->body.index; };
+  std::ranges::stable_sort(thrusters, {}, by_body);
+  for (std::size_t k = 0; k < which.size(); ++k) {
+    const std::uint32_t i = which[k];
+    for (const Thruster* f : std::ranges::equal_range(thrusters, i, {}, by_body)) {
+      const Quat& q = bodies.orientation[i];
+      const Vec3 force = rotate(q, rotate(bodies.shape_frame[i].q, f->force));
+      out[k].force += force;
+      out[k].torque += cross(rotate(q, bodies.shape_frame[i].point(f->at)), force);
+    }
+  }
+}
+
+bool act_from_afar(const Forces& forces) {
+  bool any = false;
+  for_each<NBody>(forces, [&](const NBody&) { any = true; });
+  return any;
 }
 
 DragRates drag_on(const Forces& forces, const Bodies& bodies, std::uint32_t i) {

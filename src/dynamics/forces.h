@@ -22,10 +22,12 @@ struct Forces {
 // Sum of the uniform gravities, m/s².
 Vec3 gravity(const Forces&);
 
-// Force [N] and torque about the centre of mass [N m] on each of `which`, by body slot, from all forces but Drag, plus
-// the bodies' own pushes. Positions and orientations by slot, so that an integrator may ask about states in between.
-void evaluate(const Forces&, const Bodies&, std::span<const std::uint32_t> which, std::span<const Pos> position,
-              std::span<const Quat> orientation, std::vector<Wrench>& out);
+// Force [N] and torque about the centre of mass [N m] on which[k], as out[k], from all forces but Drag, plus the bodies'
+// own pushes.
+void evaluate(const Forces&, const Bodies&, std::span<const std::uint32_t> which, std::vector<Wrench>& out);
+
+// Whether bodies feel each other from afar, so that none may move before all have been asked.
+bool act_from_afar(const Forces&);
 
 // Resistance as rates: v̇ = −(linear + quadratic |v|) v, and the twin for ω.
 struct DragRates {

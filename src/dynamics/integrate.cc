@@ -36,14 +36,14 @@ SolverBody solver_body(const Bodies& b, std::uint32_t i) {
   SolverBody s;
   s.spin_before = b.dynamic(i) ? spin_of(b, i) : b.spin[i];
   s.real = {lanes(b.velocity[i]), lanes(s.spin_before)};
-  if (b.dynamic(i)) s.inverse_mass = b.inverse_mass[i], s.inverse_inertia = b.inverse_inertia_world(i);
+  if (b.dynamic(i)) s.inverse_mass = b.inverse_mass[i], s.inverse_inertia = lanes(b.inverse_inertia_world(i));
   return s;
 }
 
 void accelerate(const Bodies& b, std::uint32_t i, const Wrench& load, const DragRates& drag, Real h, SolverBody& body) {
   Vec3 v = vector(body.real.v), w = vector(body.real.w);
   v += load.force * (b.inverse_mass[i] * h);
-  if (load.torque != Vec3{}) w += body.inverse_inertia * load.torque * h;
+  if (load.torque != Vec3{}) w += vector(body.inverse_inertia * lanes(load.torque)) * h;
   const Real rate = drag.linear + drag.quadratic * length(v);
   const Real angular_rate = drag.angular + drag.angular_quadratic * length(w);
   // v/(1 + h rate) as a difference: a rounded factor near 1 would act with the same error in every step (verify V02).
@@ -88,25 +88,30 @@ std::vector<std::uint32_t> runge_kutta_4(Bodies& b, const Forces& forces, std::s
     Vec3 torque;    // L̇
   };
   const std::size_t n = which.size();
-  std::vector<Pos> position = b.position;  // by slot: others are seen where they are
-  std::vector<Quat> orientation = b.orientation;
+  if (n == 0) return {};
+  std::vector<Pos> start(n);  // the bodies themselves visit the four states; others are seen where they are
+  std::vector<Quat> start_turn(n);
   std::vector<Vec3> velocity(n), momentum(n);
   std::vector<Rate> sum(n), rate(n);
   std::vector<Wrench> load;
-  for (std::size_t k = 0; k < n; ++k) velocity[k] = b.velocity[which[k]], momentum[k] = b.angular_momentum[which[k]];
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::uint32_t i = which[k];
+    start[k] = b.position[i], start_turn[k] = b.orientation[i];
+    velocity[k] = b.velocity[i], momentum[k] = b.angular_momentum[i];
+  }
 
   const auto measure = [&] {
-    evaluate(forces, b, which, position, orientation, load);
+    evaluate(forces, b, which, load);
     for (std::size_t k = 0; k < n; ++k) {
       const std::uint32_t i = which[k];
       const DragRates drag = drag_on(forces, b, i);
-      const Vec3 v = velocity[k], w = spin_at(b, i, orientation[i], momentum[k]);
+      const Vec3 v = velocity[k], w = spin_at(b, i, b.orientation[i], momentum[k]);
       const Real linear = drag.linear + drag.quadratic * length(v);
       const Real angular = drag.angular + drag.angular_quadratic * length(w);
-      const Quat spin{w.x, w.y, w.z, 0}, q = spin * orientation[i];
-      rate[k] = {v, load[i].force * b.inverse_mass[i] - v * linear,
+      const Quat spin{w.x, w.y, w.z, 0}, q = spin * b.orientation[i];
+      rate[k] = {v, load[k].force * b.inverse_mass[i] - v * linear,
                  {q.x * Real(0.5), q.y * Real(0.5), q.z * Real(0.5), q.w * Real(0.5)},
-                 load[i].torque - momentum[k] * angular};
+                 load[k].torque - momentum[k] * angular};
     }
   };
   const auto moved = [](const Quat& q, const Quat& r, Real s) {
@@ -124,9 +129,9 @@ std::vector<std::uint32_t> runge_kutta_4(Bodies& b, const Forces& forces, std::s
       s.v += r.v * weight[stage], s.a += r.a * weight[stage], s.torque += r.torque * weight[stage];
       s.q = moved(s.q, r.q, weight[stage]);
       const Real step = h * next[stage];
-      position[i] = b.position[i] + r.v * step;
+      b.position[i] = start[k] + r.v * step;
       velocity[k] = b.velocity[i] + r.a * step;
-      orientation[i] = normalize(moved(b.orientation[i], r.q, step));
+      b.orientation[i] = normalize(moved(start_turn[k], r.q, step));
       momentum[k] = b.angular_momentum[i] + r.torque * step;
     }
   }
@@ -134,6 +139,7 @@ std::vector<std::uint32_t> runge_kutta_4(Bodies& b, const Forces& forces, std::s
   for (std::size_t k = 0; k < n; ++k) {
     const std::uint32_t i = which[k];
     const Rate& r = sum[k];
+    b.position[i] = start[k], b.orientation[i] = start_turn[k];
     const State end{b.position[i] + r.v * h, normalize(moved(b.orientation[i], r.q, h)), b.velocity[i] + r.a * h,
                     b.angular_momentum[i] + r.torque * h};
     if (!take(b, i, end)) broken.push_back(i);

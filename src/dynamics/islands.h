@@ -2,38 +2,64 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <sudar/base.h>
 
 namespace sudar::inline SUDAR_PRECISION {
 
-// Union–find over body slots. The root of an island is its smallest slot, whatever the order of the unions, so island
-// numbers do not depend on the order of contacts.
-class Islands {
+// Union–find over body slots. The root of an island is its smallest slot, whatever the order of the unions, so the order
+// of islands does not depend on that of contacts.
+class Unions {
  public:
-  void reset(std::uint32_t bodies) {
-    parent_.resize(bodies);
-    linked_.assign(bodies, 0);
-    for (std::uint32_t i = 0; i < bodies; ++i) parent_[i] = i;
+  // Makes each of `bodies` an island of its own; others mean nothing until they are given here.
+  void reset(std::uint32_t slots, std::span<const std::uint32_t> bodies) {
+    if (parent_.size() < slots) parent_.resize(slots);
+    for (const std::uint32_t i : bodies) parent_[i] = i;
   }
   std::uint32_t root(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
   void unite(std::uint32_t a, std::uint32_t b) {
-    link(a), link(b);
     a = root(a), b = root(b);
     if (a < b) parent_[b] = a;
     else parent_[a] = b;
   }
-  // A body that touches or hangs on something that joins nothing (the floor, the world) is linked all the same.
-  void link(std::uint32_t i) { linked_[i] = 1; }
-  bool linked(std::uint32_t i) const { return linked_[i] != 0; }
 
  private:
   std::vector<std::uint32_t> parent_;
-  std::vector<std::uint8_t> linked_;
 };
+
+struct Island {
+  struct Part {
+    std::uint32_t first = 0, count = 0;
+    template <class T>
+    std::span<T> of(std::span<T> all) const { return all.subspan(first, count); }
+  };
+  Part bodies, contacts, joints;  // of the lists in which everything is island after island
+  bool linked = false;            // touches or hangs on something, be it the floor
+};
+
+// Puts `numbers`, each of which belongs to island(number), into the order of their islands and keeps their order inside.
+// `part` names the Part of an Island.
+template <class IslandOf>
+void sort_by_island(std::vector<Island>& islands, Island::Part Island::*part, std::span<const std::uint32_t> numbers,
+                    IslandOf island, std::vector<std::uint32_t>& out) {
+  for (Island& i : islands) (i.*part) = {};
+  for (const std::uint32_t n : numbers) ++(islands[island(n)].*part).count;
+  std::uint32_t first = 0;
+  for (Island& i : islands) {
+    (i.*part).first = first;
+    first += (i.*part).count;
+    (i.*part).count = 0;
+  }
+  out.resize(numbers.size());
+  for (const std::uint32_t n : numbers) {
+    Island::Part& p = islands[island(n)].*part;
+    out[p.first + p.count++] = n;
+  }
+}
 
 }

@@ -3,13 +3,19 @@
 namespace sudar::inline SUDAR_PRECISION {
 
 JointSolve::JointSolve(Joints& joints, const Bodies& bodies, std::uint32_t joint, const SolverBodies& on, Real h)
-    : a(joints.a[joint]), b(joints.b[joint]), joint_(joint), impulse_(joints.impulse[joint].rows) {
+    : a(on.number(joints.a[joint])), b(on.number(joints.b[joint])), a_answers_(on[a].answers()),
+      b_answers_(on[b].answers()), joint_(joint), impulse_(joints.impulse[joint].rows) {
   const JointRows demands = rows_of(joints, bodies, joint);
   set_rows(demands, on);
   if (demands.free) prepare_coordinate(joints, demands, on, h);
 }
 
 const Drive& JointSolve::drive(const Joints& joints) const { return *drive_of(joints.definition[joint_]); }
+
+void JointSolve::put(SolverBodies& on, Moving SolverBody::*which, const Moving& on_a, const Moving& on_b) const {
+  if (a_answers_) on[a].*which = on_a;
+  if (b_answers_) on[b].*which = on_b;
+}
 
 void JointSolve::set_rows(const JointRows& demands, const SolverBodies& on) {
   count_ = demands.count;
@@ -25,6 +31,15 @@ Real JointSolve::error() const {
   Real largest = 0;
   for (const PreparedRow& row : rows()) largest = max(largest, abs(row.error));
   return largest;
+}
+
+Real JointSolve::strongest() const {
+  Real most = 0;
+  for (std::size_t r = 0; r < rows().size(); ++r) most = max(most, abs(impulse_[r]) * response(rows_[r], rows_[r]));
+  for (const BoundedRow* row : {&low_, &high_, &drive_}) {
+    if (row->present) most = max(most, abs(row->impulse) / row->mass);
+  }
+  return most;
 }
 
 void JointSolve::restart(const Joints& joints, const Bodies& bodies, const SolverBodies& on) {
@@ -137,20 +152,27 @@ void JointSolve::stop(SolverBodies& on) {
     coordinate_.apply(on_a, on_b, impulse);
     struck_limit_ += impulse;
   }
-  on[a].real = on_a, on[b].real = on_b;
+  put(on, &SolverBody::real, on_a, on_b);
 }
 
 void JointSolve::warm_start(SolverBodies& on) const {
-  Moving &on_a = on[a].real, &on_b = on[b].real;
+  Moving on_a = on[a].real, on_b = on[b].real;
   for (std::size_t r = 0; r < std::size_t(count_); ++r) rows_[r].apply(on_a, on_b, impulse_[r]);
   for (const BoundedRow* row : {&low_, &high_, &drive_}) {
     if (row->present) coordinate_.apply(on_a, on_b, row->impulse);
   }
+  put(on, &SolverBody::real, on_a, on_b);
 }
 
 void JointSolve::set_response(Real inverse_mass, std::span<const Carried> carried) {
   drive_.mass = 1 / (inverse_mass + drive_.softness);
   carried_ = carried;
+}
+
+void JointSolve::apply_drive(SolverBodies& on, Real impulse) const {
+  Moving on_a = on[a].real, on_b = on[b].real;
+  coordinate_.apply(on_a, on_b, impulse);
+  put(on, &SolverBody::real, on_a, on_b);
 }
 
 // The drive moves all that hangs on it at once; else a servo far from what it moves would not be felt there.
@@ -160,7 +182,7 @@ Real JointSolve::hold_drive(SolverBodies& on) {
   const Real total = clamp(drive_.impulse + left * drive_.mass, drive_.low, drive_.high), more = total - drive_.impulse;
   drive_.impulse = total;
   if (more == 0) return 0;
-  coordinate_.apply(on[a].real, on[b].real, more);
+  apply_drive(on, more);
   for (const Carried& c : carried_) c.joint->apply(on, c.impulse, more);
   return abs(more) / drive_.mass;
 }
@@ -181,7 +203,7 @@ Real JointSolve::hold(SolverBodies& on) {
         rows_[r].apply(on_a, on_b, impulse);
         impulse_[r] += impulse;
       });
-  on[a].real = on_a, on[b].real = on_b;
+  put(on, &SolverBody::real, on_a, on_b);
   return max(change, block);
 }
 
@@ -200,15 +222,17 @@ Real JointSolve::push(SolverBodies& on) {
     change = max(change, solve_block(pull_.rate, on_a, on_b,
                                      [&](std::size_t r, Real impulse) { rows_[r].apply(on_a, on_b, impulse); }));
   }
-  on[a].push = on_a, on[b].push = on_b;
+  put(on, &SolverBody::push, on_a, on_b);
   return change;
 }
 
 void JointSolve::apply(SolverBodies& on, const std::array<Real, 6>& impulse, Real share) {
+  Moving on_a = on[a].real, on_b = on[b].real;
   for (std::size_t r = 0; r < std::size_t(count_); ++r) {
-    rows_[r].apply(on[a].real, on[b].real, impulse[r] * share);
+    rows_[r].apply(on_a, on_b, impulse[r] * share);
     impulse_[r] += impulse[r] * share;
   }
+  put(on, &SolverBody::real, on_a, on_b);
 }
 
 void JointSolve::store(Joints& joints) const {

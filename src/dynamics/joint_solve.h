@@ -17,13 +17,14 @@ class JointSolve {
  public:
   JointSolve(Joints& joints, const Bodies& bodies, std::uint32_t joint, const SolverBodies& on, Real h);
 
-  std::uint32_t a, b;  // body slots, or no_body
-  bool free = false;   // moved by FreeJoints instead: none of the visits below
+  std::uint32_t a, b;  // numbers of the bodies (SolverBodies)
+  bool exact = false;  // moved by ExactJoints instead: none of the visits below
 
   std::uint32_t joint() const { return joint_; }  // its slot
   std::span<const PreparedRow> rows() const { return std::span(rows_).first(std::size_t(count_)); }
   Vec3 linear_impulse() const;  // accumulated, on a, N s
   Real error() const;           // the largest, m or rad
+  Real strongest() const;       // impulse, as the change of relative velocity that it is
   bool near_limit() const { return near_limit_; }  // it may act in this sub-step
 
   // The drive, for those who tell it what it moves and what to aim at (drives.h).
@@ -35,6 +36,7 @@ class JointSolve {
   Real aim() const { return drive_.target; }
   void set_aim(Real rate) { drive_.target = rate; }
   void set_drive_impulse(Real impulse) { drive_.impulse = impulse; }
+  void apply_drive(SolverBodies& on, Real impulse) const;  // along the coordinate, and does not accumulate
   // What comes along with a unit of the drive's impulse, so that joints go on holding.
   struct Carried {
     JointSolve* joint;
@@ -69,6 +71,8 @@ class JointSolve {
     Real push = 0, excess = 0;                      // excess: how far beyond the limit
   };
   void set_rows(const JointRows& demands, const SolverBodies& on);
+  // What does not answer is not written: another island may be reading it.
+  void put(SolverBodies& on, Moving SolverBody::*which, const Moving& on_a, const Moving& on_b) const;
   void prepare_coordinate(Joints& joints, const JointRows& demands, const SolverBodies& on, Real h);
   Real hold_drive(SolverBodies& on);
   template <class Apply>
@@ -76,6 +80,7 @@ class JointSolve {
 
   // What every visit reads comes first.
   bool near_limit_ = false;
+  bool a_answers_, b_answers_;
   std::uint32_t joint_;
   int count_ = 0;  // rows of the block
   JointPull pull_{};

@@ -1,6 +1,7 @@
 #include "dynamics/joint_system.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "dynamics/small_system.h"
@@ -54,6 +55,7 @@ std::optional<JointSystem> JointSystem::plan(std::span<const Joint> joints, std:
   }
   std::stable_sort(sides.begin(), sides.end(), [](const Side& p, const Side& q) { return p.body < q.body; });
   for (std::size_t i = 0; i < sides.size(); ++i) {
+    if (std::int64_t(system.couplings_.size()) > most) return {};  // many joints on one body
     for (std::size_t j = i + 1; j < sides.size() && sides[j].body == sides[i].body; ++j) {
       if (sides[i].joint == sides[j].joint) continue;
       system.couplings_.push_back({sides[i].joint, sides[j].joint, 0, sides[i].b, sides[j].b});
@@ -77,7 +79,13 @@ bool JointSystem::eliminate(std::int64_t most) {
     degree[k] = 0;
     for (const std::uint32_t other : near[k]) degree[k] += joints_[other].rows;
   };
-  for (std::uint32_t k = 0; k < n; ++k) settle(k);
+  std::set<std::pair<std::int64_t, std::uint32_t>> waiting;  // by degree
+  const auto again = [&](std::uint32_t k) {
+    waiting.erase({degree[k], k});
+    settle(k);
+    waiting.insert({degree[k], k});
+  };
+  for (std::uint32_t k = 0; k < n; ++k) again(k);
 
   std::uint32_t numbers = 0;
   const auto room = [&](std::uint32_t row, std::uint32_t column) {
@@ -86,10 +94,8 @@ bool JointSystem::eliminate(std::int64_t most) {
   std::vector<std::uint32_t> turn(n, n);  // when a joint was eliminated
   std::int64_t cost = 0;
   for (std::uint32_t step = 0; step < n; ++step) {
-    std::uint32_t next = n;
-    for (std::uint32_t k = 0; k < n; ++k) {
-      if (turn[k] == n && (next == n || degree[k] < degree[next])) next = k;
-    }
+    const std::uint32_t next = waiting.begin()->second;
+    waiting.erase(waiting.begin());
     turn[next] = step;
     const std::int64_t across = joints_[next].rows, down = degree[next];
     cost += across * (across * across / 3 + across * down + down * down / 2);
@@ -102,7 +108,7 @@ bool JointSystem::eliminate(std::int64_t most) {
         if (k != other) near[other].push_back(k);
       }
       std::erase(near[other], next);
-      settle(other);
+      again(other);
     }
     columns_.push_back(std::move(column));
   }

@@ -7,8 +7,6 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-inline constexpr std::uint32_t no_body = 0xffffffffu;  // the world
-
 // Accumulated in the last sub-step: the block's rows, the two ends of the limit, the drive. On a; b gets the opposite.
 struct JointImpulse {
   std::array<Real, 6> rows{};

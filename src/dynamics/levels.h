@@ -2,22 +2,25 @@
 // pile is then solved from the ground up (shock propagation; Guendelman, Bridson, Fedkiw 2003).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
-
-#include "dynamics/bodies.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
 inline constexpr std::uint32_t no_level = 0xffffffffu;  // hangs in the air: touches nothing that leads to the ground
 
-// By body slot. `Contact` has the body slots a and b.
-template <class Contact>
-std::vector<std::uint32_t> contact_levels(std::span<const Contact> contacts, const Bodies& bodies) {
-  std::vector<std::uint32_t> level(bodies.size(), no_level);
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    if (!bodies.dynamic(i)) level[i] = 0;
+// By body. `Contact` names its bodies a and b; answers(body): impulses move it.
+template <class Contact, class Answers>
+std::vector<std::uint32_t> contact_levels(std::span<const Contact> contacts, Answers answers) {
+  std::uint32_t bodies = 0;
+  for (const Contact& c : contacts) bodies = std::max({bodies, c.a + 1, c.b + 1});
+  std::vector<std::uint32_t> level(bodies, no_level);
+  for (const Contact& c : contacts) {
+    for (const std::uint32_t body : {c.a, c.b}) {
+      if (!answers(body)) level[body] = 0;
+    }
   }
   for (std::uint32_t reached = 0;; ++reached) {
     bool grew = false;

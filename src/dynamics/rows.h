@@ -6,11 +6,14 @@
 #include <sudar/math.h>
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "math/lanes.h"
 
 namespace sudar::inline SUDAR_PRECISION {
+
+inline constexpr std::uint32_t no_body = 0xffffffffu;  // among body slots: the world
 
 // A body's velocities, in lanes: of the centre of mass, and ω in world axes.
 struct Moving {
@@ -20,21 +23,45 @@ struct Moving {
 // What the solvers iterate on: one body's velocities and inverse masses.
 struct SolverBody {
   Moving real;
-  Moving push;  // pseudo: moves the body, then is forgotten (split impulse)
-  Real inverse_mass = 0;
-  Mat3 inverse_inertia;
-  Vec3 spin_before;  // ω before all impulses, as spin_of() gives it
+  Moving push;                    // pseudo: moves the body, then is forgotten (split impulse)
+  Mat3Lanes inverse_inertia{};    // world axes
+  Vec3 spin_before;               // ω before all impulses, as spin_of() gives it
+  Real inverse_mass = 0;          // 0: does not answer impulses
+  bool touches = false;           // is in a contact
+  bool settled = false;           // its motion over the sub-step is decided already: exact joints, Runge–Kutta
+  bool answers() const { return inverse_mass > 0; }
 };
 
-// By slot; no_body, the world, has one too, which nothing moves.
+// The bodies that move, without gaps: the awake ones island after island, then the kinematic ones. Before them, as
+// number 0, stands in for all that stays where it is: the world and every body at rest. Numbers belong to bodies as in a
+// sparse set (Briggs, Torczon 1993), so that a new sub-step costs nothing for the bodies that are not in it.
 class SolverBodies {
  public:
-  void reset(std::size_t slots) { all_.assign(slots + 1, {}); }
-  SolverBody& operator[](std::uint32_t slot) { return all_[slot + 1]; }  // no_body + 1 is 0
-  const SolverBody& operator[](std::uint32_t slot) const { return all_[slot + 1]; }
+  static constexpr std::uint32_t still = 0;
+
+  void reset(std::span<const std::uint32_t> awake, std::span<const std::uint32_t> kinematic, std::uint32_t slots) {
+    slot_.assign(1, no_body);
+    slot_.insert(slot_.end(), awake.begin(), awake.end());
+    slot_.insert(slot_.end(), kinematic.begin(), kinematic.end());
+    if (number_.size() < slots) number_.resize(slots);
+    for (std::uint32_t n = 1; n < size(); ++n) number_[slot_[n]] = n;
+    bodies_.resize(slot_.size());
+    bodies_[still] = {};
+  }
+  std::uint32_t size() const { return std::uint32_t(slot_.size()); }
+  std::uint32_t slot(std::uint32_t number) const { return slot_[number]; }
+  std::uint32_t number(std::uint32_t slot) const {
+    if (slot == no_body) return still;
+    const std::uint32_t n = number_[slot];
+    return n < size() && slot_[n] == slot ? n : still;
+  }
+  SolverBody& operator[](std::uint32_t number) { return bodies_[number]; }
+  const SolverBody& operator[](std::uint32_t number) const { return bodies_[number]; }
 
  private:
-  std::vector<SolverBody> all_;
+  std::vector<SolverBody> bodies_;
+  std::vector<std::uint32_t> slot_;    // by number
+  std::vector<std::uint32_t> number_;  // by slot; means something only where slot_ agrees
 };
 
 struct Row {
@@ -68,7 +95,7 @@ struct PreparedRow {
 
  private:
   static Side side(const Vec3& linear, const Vec3& angular, const SolverBody& on) {
-    return {lanes(linear), lanes(angular), lanes(linear * on.inverse_mass), lanes(on.inverse_inertia * angular)};
+    return {lanes(linear), lanes(angular), lanes(linear * on.inverse_mass), on.inverse_inertia * lanes(angular)};
   }
   static Real sum(const Real4& x) { return (x[0] + x[1]) + x[2]; }
   friend Real response(const Side&, const Side&);

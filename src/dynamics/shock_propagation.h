@@ -7,6 +7,7 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
+// Changes rows and velocities: what the next sub-step begins with is stored before.
 void propagate_shock(SubStep& s);
 
 }

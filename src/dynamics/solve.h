@@ -1,4 +1,4 @@
-// What a solver is given for one sub-step, and what it tells afterwards.
+// The seam between world and solvers: what a solver is given for one sub-step, and what it tells afterwards.
 #pragma once
 
 #include <sudar/profile.h>
@@ -6,7 +6,8 @@
 #include "collision/narrow/collide.h"
 #include "dynamics/contacts.h"
 #include "dynamics/forces.h"
-#include "dynamics/joints.h"
+#include "dynamics/islands.h"
+#include "dynamics/joint_graph.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -18,28 +19,42 @@ struct ActiveContact {
   Material material;
 };
 
-struct SolveInput {
+struct StepView {
   const Config& config;
   Real h;  // s
   const Forces& forces;
-  std::span<const ActiveContact> contacts;  // in the order in which they are solved
+  // Everything that moves or changes is in these lists, island after island; inside an island contacts lie in the order
+  // of their pairs, bodies and joints in that of their slots.
+  std::span<const Island> islands;
+  std::span<const std::uint32_t> awake;  // dynamic bodies
+  std::span<const ActiveContact> contacts;
   std::span<const std::uint32_t> joints;
-  std::span<const std::uint32_t> awake;   // dynamic bodies, ascending
-  std::span<const std::uint32_t> smooth;  // those of them for Runge–Kutta: no contacts, no joints
+  std::span<const std::uint32_t> smooth;  // awake ones for Runge–Kutta: no contacts, no joints
   std::span<const std::uint32_t> kinematic;
   std::span<const Geometry* const> geometries;  // by body slot
+  // What a solver advances.
+  Bodies& bodies;
+  Joints& joint_state;
+  JointGraph& joint_graph;  // settled
+  Contacts& contact_state;
 };
 
-struct SolveReport {
+struct StepOutcome {
   struct Hit {
-    std::uint32_t contact;  // number in the input
+    std::uint32_t contact;  // number in the view
     Vec3 at;                // relative to a's centre of mass
     Real speed;             // of approach, m/s
   };
-  std::vector<Hit> hits;
-  std::vector<std::uint32_t> broken;  // bodies that turned non-finite and were put back
+  std::vector<Hit> hits;              // in the order of contacts
+  std::vector<std::uint32_t> broken;  // bodies that turned non-finite and were put back, ascending
   std::int64_t points = 0;            // solved in this sub-step
   Profile::Passes collision, contact, correction, joint;
+
+  void clear() {
+    hits.clear(), broken.clear();
+    points = 0;
+    collision = contact = correction = joint = {};
+  }
 };
 
 }

@@ -13,6 +13,11 @@ inline Vec3 vector(const Real4& v) { return {v[0], v[1], v[2]}; }
 template <int lane>
 inline Real4 broadcast(const Real4& v) { return __builtin_shufflevector(v, v, lane, lane, lane, lane); }
 inline Real4 broadcast(Real x) { return Real4{x, x, x, x}; }
+inline Real4 cross(const Real4& a, const Real4& b) {
+  const Real4 a_yzx = __builtin_shufflevector(a, a, 1, 2, 0, 3), b_yzx = __builtin_shufflevector(b, b, 1, 2, 0, 3);
+  const Real4 c_zxy = a * b_yzx - a_yzx * b;
+  return __builtin_shufflevector(c_zxy, c_zxy, 1, 2, 0, 3);
+}
 
 // A Mat3 by columns.
 struct Mat3Lanes {

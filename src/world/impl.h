@@ -60,6 +60,7 @@ struct World::Impl {
   // --- rebuilt, or living for one step ---
   std::unique_ptr<BroadPhase> broad;
   std::vector<std::uint32_t> changed;       // proxies that are new, moved or gone since the last search for pairs
+  JointGraph joint_graph;
   std::vector<PlaneProxy> planes;           // the half spaces, ascending
   std::vector<ProxyPair> never_touch;       // bodies joined by a joint that forbids it, sorted
   bool joints_changed = false;              // since that list was made
@@ -67,12 +68,15 @@ struct World::Impl {
   std::vector<std::uint32_t> active_pairs;  // rows of `pairs` collided in this sub-step, ascending
   std::vector<Pose> shape_poses;            // by body slot
   std::vector<const Geometry*> geometries;
-  std::vector<ActiveContact> active_contacts;
-  Islands islands;
+  std::vector<std::uint32_t> touching;      // those of them that touch, island after island
+  std::vector<ActiveContact> active_contacts;  // the same
+  Unions unions;
+  std::vector<std::uint32_t> island_of;     // by body slot, of those awake: number in `islands`
+  std::vector<Island> islands;
   double last_dt = 0;                       // of the last step
   double h = 0;                             // length of the sub-step at work, simulated s
   Impulse2007Solver impulse_2007;
-  SolveReport report;
+  StepOutcome outcome;
   Events events;
   Profile profile;
 

@@ -174,6 +174,7 @@ Joint World::Impl::perform(const AddJoint& op) {
   if (!b.null()) require(b, (kind + ".b").c_str());
   check_joint(op.def, bodies);
   const std::uint32_t j = joints.add(op.def, bodies);
+  joint_graph.add(joints, j);
   for (const Body body : {a, b}) {
     if (body.null()) continue;
     wake_island(body.index);
@@ -191,6 +192,7 @@ void World::Impl::perform(const RemoveJoint& op) {
     wake_island(body);
     if (!may_collide(joints.definition[j])) changed.push_back(body);  // the two may touch from now on
   }
+  joint_graph.remove(j);
   joints.remove(j);
   joints_changed = true;
 }

@@ -104,10 +104,9 @@ void collide(World::Impl& w) {
 
 namespace {
 
-// Begin and end bits → events and contact rows; touching pairs → islands and the solver's list.
-void link_contacts(World::Impl& w) {
+// Begin and end bits → events and contact rows; touching pairs → islands.
+void link_contacts(World::Impl& w, std::vector<std::uint32_t>& touching_rows) {
   const Bodies& b = w.bodies;
-  w.active_contacts.clear();
   for (const std::uint32_t r : w.active_pairs) {
     PairRow& row = w.pairs[r];
     const std::uint32_t a = row.key.a, c = row.key.b;
@@ -121,22 +120,69 @@ void link_contacts(World::Impl& w) {
       w.events.ended.push_back({handle(w, a), handle(w, c)});
     }
     if (!touching(row)) continue;
-    if (b.dynamic(a) && b.dynamic(c)) w.islands.unite(a, c);
-    else w.islands.link(b.dynamic(a) ? a : c);
-    w.active_contacts.push_back({a, c, row.row, &row.manifold, w.pair_material(row.key)});
+    touching_rows.push_back(r);
+    if (b.dynamic(a) && b.dynamic(c)) w.unions.unite(a, c);
   }
 }
 
-void link_joints(World::Impl& w) {
-  const Bodies& b = w.bodies;
-  w.active_joints.clear();
+// A body of the joint that is awake, or no_body.
+std::uint32_t awake_side(const World::Impl& w, std::uint32_t j) {
+  for (const std::uint32_t i : {w.joints.a[j], w.joints.b[j]}) {
+    if (i != no_body && w.bodies.awake(i)) return i;
+  }
+  return no_body;
+}
+
+void link_joints(World::Impl& w, std::vector<std::uint32_t>& active) {
   for (std::uint32_t j = 0; j < w.joints.size(); ++j) {
-    if (!w.joints.slots.used(j)) continue;
+    if (!w.joints.slots.used(j) || awake_side(w, j) == no_body) continue;
+    active.push_back(j);
     const std::uint32_t a = w.joints.a[j], c = w.joints.b[j];
-    const bool a_moves = a != no_body && b.dynamic(a), c_moves = c != no_body && b.dynamic(c);
-    if (a_moves && c_moves) w.islands.unite(a, c);
-    else if (a_moves || c_moves) w.islands.link(a_moves ? a : c);
-    if ((a_moves && b.awake(a)) || (c_moves && b.awake(c))) w.active_joints.push_back(j);
+    if (a != no_body && c != no_body && w.bodies.dynamic(a) && w.bodies.dynamic(c)) w.unions.unite(a, c);
+  }
+}
+
+// Islands in the order of their roots, and every list in that of islands.
+void list_islands(World::Impl& w, std::span<const std::uint32_t> awake, std::span<const std::uint32_t> touching_rows,
+                  std::span<const std::uint32_t> joints) {
+  const Bodies& b = w.bodies;
+  w.islands.clear();
+  w.island_of.resize(b.size());
+  for (const std::uint32_t i : awake) {
+    if (w.unions.root(i) != i) continue;
+    w.island_of[i] = std::uint32_t(w.islands.size());
+    w.islands.emplace_back();
+  }
+  for (const std::uint32_t i : awake) w.island_of[i] = w.island_of[w.unions.root(i)];
+  const auto of_body = [&](std::uint32_t i) { return w.island_of[i]; };
+  const auto of_pair = [&](std::uint32_t r) {
+    const ProxyPair& key = w.pairs[r].key;
+    return w.island_of[b.dynamic(key.a) ? key.a : key.b];
+  };
+  const auto of_joint = [&](std::uint32_t j) { return w.island_of[awake_side(w, j)]; };
+  sort_by_island(w.islands, &Island::bodies, awake, of_body, w.awake);
+  sort_by_island(w.islands, &Island::contacts, touching_rows, of_pair, w.touching);
+  sort_by_island(w.islands, &Island::joints, joints, of_joint, w.active_joints);
+  for (Island& island : w.islands) island.linked = island.contacts.count > 0 || island.joints.count > 0;
+  w.active_contacts.clear();
+  for (const std::uint32_t r : w.touching) {
+    const PairRow& row = w.pairs[r];
+    w.active_contacts.push_back({row.key.a, row.key.b, row.row, &row.manifold, w.pair_material(row.key)});
+  }
+}
+
+// Free bodies whose forces are smooth enough for an explicit method of high order: it needs h · rate < 1.
+void list_smooth(World::Impl& w) {
+  w.smooth.clear();
+  if (w.config.integrator != Integrator::rk4) return;
+  for (const Island& island : w.islands) {
+    if (island.linked) continue;
+    for (const std::uint32_t i : island.bodies.of(std::span<const std::uint32_t>(w.awake))) {
+      const DragRates drag = drag_on(w.forces, w.bodies, i);
+      const Real linear = drag.linear + drag.quadratic * length(w.bodies.velocity[i]);
+      const Real angular = drag.angular + drag.angular_quadratic * length(w.bodies.spin[i]);
+      if (Real(w.h) * max(linear, angular) < 1) w.smooth.push_back(i);
+    }
   }
 }
 
@@ -144,38 +190,48 @@ void link_joints(World::Impl& w) {
 
 void link(World::Impl& w) {
   const Bodies& b = w.bodies;
-  w.islands.reset(b.size());
-  link_contacts(w);
-  link_joints(w);
-  w.awake.clear(), w.smooth.clear(), w.kinematic.clear();
+  std::vector<std::uint32_t> awake, touching_rows, joints;
+  w.kinematic.clear();
   for (std::uint32_t i = 0; i < b.size(); ++i) {
     if (!b.slots.used(i)) continue;
     if (b.motion[i] == Motion::kinematic && b.moves(i)) w.kinematic.push_back(i);
-    if (!b.awake(i)) continue;
-    w.awake.push_back(i);
-    if (w.config.integrator != Integrator::rk4 || w.islands.linked(i)) continue;
-    const DragRates drag = drag_on(w.forces, b, i);  // an explicit method needs h · rate < 1
-    const Real linear = drag.linear + drag.quadratic * length(b.velocity[i]);
-    const Real angular = drag.angular + drag.angular_quadratic * length(b.spin[i]);
-    if (Real(w.h) * max(linear, angular) < 1) w.smooth.push_back(i);
+    if (b.awake(i)) awake.push_back(i);
   }
+  w.unions.reset(b.size(), awake);
+  link_contacts(w, touching_rows);
+  link_joints(w, joints);
+  w.joint_graph.settle(w.joints, b);
+  list_islands(w, awake, touching_rows, joints);
+  list_smooth(w);
 }
 
 void solve(World::Impl& w) {
-  SolveReport& report = w.report;
-  report.hits.clear(), report.broken.clear();
-  report.points = 0;
-  w.impulse_2007.sub_step(
-      {w.config, Real(w.h), w.forces, w.active_contacts, w.active_joints, w.awake, w.smooth, w.kinematic,
-       w.geometries}, w.bodies,
-      w.joints, w.contacts, report);
-  for (const SolveReport::Hit& hit : report.hits) {
+  StepOutcome& outcome = w.outcome;
+  outcome.hits.clear(), outcome.broken.clear();
+  outcome.points = 0;
+  w.impulse_2007.advance({.config = w.config,
+                          .h = Real(w.h),
+                          .forces = w.forces,
+                          .islands = w.islands,
+                          .awake = w.awake,
+                          .contacts = w.active_contacts,
+                          .joints = w.active_joints,
+                          .smooth = w.smooth,
+                          .kinematic = w.kinematic,
+                          .geometries = w.geometries,
+                          .bodies = w.bodies,
+                          .joint_state = w.joints,
+                          .joint_graph = w.joint_graph,
+                          .contact_state = w.contacts},
+                         outcome);
+  for (const StepOutcome::Hit& hit : outcome.hits) {
     const ActiveContact& c = w.active_contacts[hit.contact];
     w.events.hits.push_back(
         {handle(w, c.a), handle(w, c.b), w.bodies.position[c.a] + hit.at, c.manifold->normal, hit.speed});
   }
-  for (const std::uint32_t i : report.broken) {
+  for (const std::uint32_t i : outcome.broken) {
     w.bodies.velocity[i] = w.bodies.spin[i] = w.bodies.angular_momentum[i] = {};
+    w.joint_graph.body_changed(i);
     w.events.quarantined.push_back({handle(w, i), "its velocity is not finite any more"});
   }
 }
@@ -197,22 +253,22 @@ void sleep(World::Impl& w) {
     b.quiet_steps[i] = quiet ? b.quiet_steps[i] + 1 : 0;
   }
   if (!w.config.sleep) return;
-  std::vector<std::uint8_t> restless(b.size(), 0);
-  for (const std::uint32_t i : w.awake) {
-    if (b.quiet_steps[i] < enough || b.may_sleep[i] == 0 || !w.islands.linked(i)) restless[w.islands.root(i)] = 1;
-  }
-  // What slides is on its way, however slowly: 0.1 mm/s is movement where friction has given in.
-  for (const ActiveContact& c : w.active_contacts) {
-    const Real slip = max(length_squared(b.velocity[c.a]), length_squared(b.velocity[c.b]));
-    if (w.contacts.slipping[c.slot] == 0 || slip <= Real(1e-3) * limit) continue;
-    restless[w.islands.root(b.dynamic(c.a) ? c.a : c.b)] = 1;
-  }
-  for (const std::uint32_t i : w.awake) {
-    const std::uint32_t root = w.islands.root(i);
-    if (restless[root] != 0 || !b.dynamic(i)) continue;
-    b.asleep[i] = 1;
-    b.sleep_island[i] = root;
-    b.velocity[i] = b.spin[i] = b.angular_momentum[i] = {};
+  for (const Island& island : w.islands) {
+    const auto bodies = island.bodies.of(std::span<const std::uint32_t>(w.awake));
+    const auto contacts = island.contacts.of(std::span<const ActiveContact>(w.active_contacts));
+    const auto restless = [&](std::uint32_t i) { return b.quiet_steps[i] < enough || b.may_sleep[i] == 0; };
+    // What slides is on its way, however slowly: 0.1 mm/s is movement where friction has given in.
+    const auto slides = [&](const ActiveContact& c) {
+      const Real slip = max(length_squared(b.velocity[c.a]), length_squared(b.velocity[c.b]));
+      return w.contacts.slipping[c.slot] != 0 && slip > Real(1e-3) * limit;
+    };
+    if (!island.linked || std::ranges::any_of(bodies, restless) || std::ranges::any_of(contacts, slides)) continue;
+    for (const std::uint32_t i : bodies) {
+      if (!b.dynamic(i)) continue;
+      b.asleep[i] = 1;
+      b.sleep_island[i] = bodies.front();
+      b.velocity[i] = b.spin[i] = b.angular_momentum[i] = {};
+    }
   }
 }
 
@@ -248,7 +304,7 @@ void World::Impl::step(double dt) {
     throw Error("dt", "makes a sub-step of " + text(sub_step) + " s, which the precision cannot hold");
   }
   events = {};
-  report = {};
+  outcome.clear();
   profile.stages.clear();
   stage_hashes.clear();
   for (const Stage& stage : stages) profile.stages.push_back({stage.name, 0});
@@ -268,11 +324,11 @@ void World::Impl::step(double dt) {
   ++clock_steps;
   ++steps;
   profile.contacts = std::int64_t(active_contacts.size());
-  profile.points = report.points;
-  profile.collision = report.collision;
-  profile.contact = report.contact;
-  profile.correction = report.correction;
-  profile.joint = report.joint;
+  profile.points = outcome.points;
+  profile.collision = outcome.collision;
+  profile.contact = outcome.contact;
+  profile.correction = outcome.correction;
+  profile.joint = outcome.joint;
   profile.awake = std::int64_t(awake.size());
 }
 

@@ -89,6 +89,7 @@ void World::Impl::rebuild() {
   planes.clear();
   changed.clear();
   joints_changed = true;
+  joint_graph.rebuild(joints);
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (!bodies.slots.used(i)) continue;
     changed.push_back(i);

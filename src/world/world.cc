@@ -264,8 +264,10 @@ std::vector<Box> World::broad_boxes() const {
 
 std::vector<std::uint32_t> World::islands() const {
   const Impl& w = *impl_;
-  Islands islands;
-  islands.reset(w.bodies.size());
+  std::vector<std::uint32_t> all;
+  for (const Body b : bodies()) all.push_back(b.index);
+  Unions islands;
+  islands.reset(w.bodies.size(), all);
   const auto unite = [&](std::uint32_t a, std::uint32_t b) {
     if (a != no_body && b != no_body && w.bodies.dynamic(a) && w.bodies.dynamic(b)) islands.unite(a, b);
   };

@@ -19,7 +19,7 @@ struct Net {
   Real number() { return std::uniform_real_distribution<Real>(-1, 1)(random); }
   Vec3 vec() { return {number(), number(), number()}; }
   explicit Net(std::size_t count) : bodies(count) {
-    for (SolverBody& b : bodies) b.inverse_mass = 1 + square(number()), b.inverse_inertia = Mat3::diagonal({1, 2, 3});
+    for (SolverBody& b : bodies) b.inverse_mass = 1 + square(number()), b.inverse_inertia = lanes(Mat3::diagonal({1, 2, 3}));
   }
   void join(std::uint32_t a, std::uint32_t b, int count) {
     joints.push_back({a, b, count});
