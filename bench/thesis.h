@@ -14,7 +14,7 @@ struct ThesisCase {
   const char* title;
   const char* scene;
   std::map<std::string, double> set;
-  double prototype_us;
+  std::optional<double> prototype_us;  // none: not known
 };
 std::span<const ThesisCase> thesis_cases();
 

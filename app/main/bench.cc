@@ -5,6 +5,7 @@
 
 #include "bench/thesis.h"
 #include "main/command.h"
+#include "main/numbers.h"
 #include "main/picture_bench.h"
 #include "main/progress.h"
 #include "main/report.h"
@@ -30,16 +31,29 @@ std::vector<ThesisCase> chosen_cases(const BenchOptions& o, const Catalogue& cat
     std::copy_if(all.begin(), all.end(), std::back_inserter(cases),
                  [&](const ThesisCase& c) { return c.scene == scene; });
     if (cases.size() > before) continue;
-    catalogue.find(scene);  // throws where there is no such scene at all
-    throw Error(scene, "the prototype's speed in this scene is not known");
+    const ScenarioEntry& entry = catalogue.find(scene);
+    if (o.thesis) throw Error(scene, "the prototype's speed in this scene is not known: leave out --thesis");
+    cases.push_back({entry.name, entry.name, {}, {}});
   }
   return cases;
 }
 
+// Our time by the prototype's: below 1 we are faster. Only where that is known.
+double ratio(const ThesisCase& c, const ThesisResult& r) { return r.meter.step_us_median() / *c.prototype_us; }
+
+// Right-aligned in so many columns; a dash where there is no number.
+std::string cell(std::optional<double> number, int width, int digits) {
+  char text[32];
+  if (number) std::snprintf(text, sizeof text, "%*.*f", width, digits, *number);
+  else std::snprintf(text, sizeof text, "%*s", width, "-");
+  return text;
+}
+
 Json with_prototype(const ThesisCase& c, const ThesisResult& r) {
   Json j = report(r.session, r.meter);
-  j["prototype"] = {
-      {"title", c.title}, {"us_per_step", c.prototype_us}, {"ratio", r.meter.step_us_median() / c.prototype_us}};
+  if (c.prototype_us) {
+    j["prototype"] = {{"title", c.title}, {"us_per_step", *c.prototype_us}, {"ratio", ratio(c, r)}};
+  }
   return j;
 }
 
@@ -70,7 +84,6 @@ int bench_picture(const BenchOptions& o) {
 
 int bench(const BenchOptions& o, const Catalogue& catalogue) {
   if (o.picture) return bench_picture(o);
-  if (!o.thesis) throw Error("bench", "say what to measure: --thesis or --picture");
   const std::vector<ThesisCase> cases = chosen_cases(o, catalogue);
   const int each = o.repeat * (warm_up_steps + measured_steps);
   Progress progress("bench", double(each) * double(cases.size()));
@@ -78,6 +91,7 @@ int bench(const BenchOptions& o, const Catalogue& catalogue) {
   if (!o.json) {
     std::printf(
         "median of %d steps after %d, sleeping off, one thread; prototype: Java, 2007.\n"
+        "Ratio: our time by the prototype's, less is better; below 1 we are faster than it.\n"
         "Passes: those used for impacts + contacts + correction of positions. Times: of a point in a pass of the contacts,\n"
         "of a joint in a pass, of all impacts in a step.\n\n"
         "scene             bodies joints contacts points    µs/step prototype  ratio       passes  ns/point ns/joint µs/impacts\n",
@@ -92,9 +106,10 @@ int bench(const BenchOptions& o, const Catalogue& catalogue) {
       all.push_back(with_prototype(c, r));
       continue;
     }
-    std::printf("%-17s %6zu %6zu %8.0f %6.0f %10.1f %9.0f %6.2f %4.0f + %2.0f + %2.0f %9.1f %8.1f %10.1f\n", c.title, w.bodies().size(),
+    std::printf("%-17s %6zu %6zu %8.0f %6.0f %10.1f %s %s %4.0f + %2.0f + %2.0f %9.1f %8.1f %10.1f\n", c.title, w.bodies().size(),
                 w.joints().size(), r.meter.contacts_median(), r.meter.points_median(), r.meter.step_us_median(),
-                c.prototype_us, r.meter.step_us_median() / c.prototype_us, r.meter.collision().used(),
+                cell(c.prototype_us, 9, 0).c_str(),
+                cell(c.prototype_us ? std::optional(ratio(c, r)) : std::nullopt, 6, 2).c_str(), r.meter.collision().used(),
                 r.meter.contact().used(), r.meter.correction().used(), r.meter.contact().ns_per_visit(), r.meter.joint().ns_per_visit(),
                 r.meter.collision().us_per_step());
     std::fflush(stdout);
@@ -106,13 +121,13 @@ int bench(const BenchOptions& o, const Catalogue& catalogue) {
 }
 
 void add_bench(CLI::App& app, Action& chosen) {
-  CLI::App* sub = app.add_subcommand("bench", "measure the speed");
+  CLI::App* sub = app.add_subcommand("bench", "measure the speed: µs a step, less is better");
   const auto o = std::make_shared<BenchOptions>();
-  sub->add_option("scenes", o->scenes, "only these");
-  sub->add_flag("--thesis", o->thesis, "the scenes whose speed the thesis's prototype is known for");
+  sub->add_option("scenes", o->scenes, "only these, any of sudar list; else those of --thesis");
+  sub->add_flag("--thesis", o->thesis, "only scenes whose speed the thesis's prototype is known for");
   sub->add_flag("--picture", o->picture, "a picture of many bodies, and the physics thread beside it");
-  sub->add_option("--bodies", o->bodies, "of the picture")->check(CLI::Range(1, 100000))->capture_default_str();
-  sub->add_option("--repeat", o->repeat, "runs of each scene; the fastest counts")->check(CLI::Range(1, 1000));
+  add_whole(*sub, "--bodies", o->bodies, 1, 100000, "of the picture")->default_str("2000");
+  add_whole(*sub, "--repeat", o->repeat, 1, 1000, "runs of each scene; the fastest counts")->default_str("1");
   sub->add_flag("--json", o->json, "the results as JSON (docs/json.md)");
   sub->callback([&chosen, o] { chosen = [o](const Catalogue& c) { return bench(*o, c); }; });
 }

@@ -35,23 +35,22 @@ const char* unit_of(SensorKind kind) {
 }
 
 Csv::Csv(const std::string& path, const World& world) : file_(path), sensors_(world.sensors()) {
-  std::ostream& out = file_.out();
-  out << "time [s],kinetic [J],potential [J],total [J]";
+  std::string out = "time [s],kinetic [J],potential [J],total [J]";
   for (const Body b : world.bodies()) {
     if (world[b].motion() == Motion::fixed) continue;
     bodies_.push_back(b);
     const std::string name = world[b].name().empty() ? "body " + std::to_string(b.index) : world[b].name();
     for (const char* column : {"x [m]", "y [m]", "z [m]", "vx [m/s]", "vy [m/s]", "vz [m/s]"}) {
-      out << ',' << quoted(name + "." + column);
+      out += ',' + quoted(name + "." + column);
     }
   }
   for (const SensorId s : sensors_) {
     const Sensor& sensor = world[s];
     const std::string name =
         sensor.name.empty() ? std::string(names(sensor.kind)[std::size_t(sensor.kind)]) : sensor.name;
-    out << ',' << quoted(name + " [" + unit_of(sensor.kind) + "]");
+    out += ',' + quoted(name + " [" + unit_of(sensor.kind) + "]");
   }
-  out << '\n';
+  file_.append(out + '\n');
   row(world);
 }
 
@@ -73,7 +72,7 @@ void Csv::row(const World& world) {
     const bool lives = std::find(living.begin(), living.end(), s) != living.end();
     line += lives ? number(world.value(s)) : ",";
   }
-  file_.out() << line.substr(1) << '\n';
+  file_.append(line.substr(1) + '\n');
 }
 
 }

@@ -31,11 +31,22 @@ Json parameters_of(Scenario& scenario) {
   return list;
 }
 
+// A plugin that makes none must not keep the others from the list.
+ScenarioPointer make_or_tell(const ScenarioEntry& entry) {
+  try {
+    return make_scenario(entry);
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "sudar: %s\n", e.what());
+    return {nullptr, nullptr};
+  }
+}
+
 int list(const Catalogue& catalogue, bool json) {
   if (json) {
     Json all = Json::array();
     for (const ScenarioEntry* e : catalogue.all()) {
-      const std::unique_ptr<Scenario, void (*)(Scenario*)> scenario(e->create(), e->destroy);
+      const ScenarioPointer scenario = make_or_tell(*e);
+      if (!scenario) continue;
       all.push_back({{"name", e->name},
                      {"place", e->place},
                      {"about", e->about},

@@ -1,6 +1,7 @@
 // The program: reads the command line, loads the scenarios, does what was chosen.
 #include <CLI/CLI.hpp>
 
+#include <csignal>
 #include <cstdio>
 
 #include "main/command.h"
@@ -45,6 +46,18 @@ std::optional<int> open_window(const Catalogue& catalogue, const WindowOptions& 
 #endif
 }
 
+// `--dt ""` of a script whose variable is empty means something else than no --dt.
+void expect_no_empty_value(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i], before = argv[i - 1];
+    const bool option = word.rfind("--", 0) == 0;
+    if (option && word.back() == '=') throw Error(word.substr(0, word.size() - 1), "is given without a value");
+    if (!word.empty()) continue;
+    const bool value = before.rfind('-', 0) == 0;
+    throw Error(value ? before : "argument " + std::to_string(i), "is given, but empty");
+  }
+}
+
 int start(int argc, char** argv) {
   CLI::App app("Sudar: an impulse-based simulator of rigid bodies", "sudar");
   std::string folder;
@@ -55,7 +68,7 @@ int start(int argc, char** argv) {
   app.add_option(
       "scene", window.scene,
       "without a sub-command: open the window on this scenario; without a display draw it, or all, into out/");
-  app.add_option("--size", window.size, "WIDTHxHEIGHT of the window")->capture_default_str();
+  app.add_option("--size", window.size, "WIDTHxHEIGHT of the window")->capture_default_str()->each([](const std::string& s) { parse_size(s); });
   app.add_option("--quality", window.quality, "of the window's picture; auto: as the machine can")
       ->check(CLI::IsMember({"auto", "plain", "fine"}));
   app.add_option("--status", window.status, "a file in which the window tells its state as JSON, for scripts");
@@ -66,6 +79,7 @@ int start(int argc, char** argv) {
   add_replay(app, chosen);
   add_bench(app, chosen);
   add_verify(app, chosen);
+  expect_no_empty_value(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) { return app.exit(e) == 0 ? 0 : bad_usage; }
@@ -80,6 +94,7 @@ int start(int argc, char** argv) {
 }
 
 int main(int argc, char** argv) {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file over its limit shows as a failed write
   try {
     return start(argc, argv);
   } catch (const std::exception& e) {

@@ -44,11 +44,11 @@ class Started : public Running {
 
 class Recorded : public Playback {
  public:
-  Recorded(Bytes bytes, const Catalogue& catalogue) : replay_(std::move(bytes)) {
+  Recorded(const std::string& file, const Catalogue& catalogue)
+      : replay_(load_file(file, [](Bytes bytes) { return Replay(std::move(bytes)); })) {
     for (const ScenarioEntry* entry : catalogue.all()) {
       if (entry->name != replay_.title()) continue;
-      const std::unique_ptr<Scenario, void (*)(Scenario*)> scenario(entry->create(), entry->destroy);
-      camera_ = scenario->camera();
+      camera_ = make_scenario(*entry)->camera();
     }
   }
   const World& world() const override { return replay_.world(); }
@@ -72,11 +72,13 @@ class Recorded : public Playback {
 
 std::unique_ptr<Playback> open_playback(const SceneOptions& o, const Catalogue& catalogue) {
   const Settings settings = o.settings();
-  if (std::filesystem::is_regular_file(o.scene)) {
+  std::error_code error;
+  const bool path = o.scene.find('/') != std::string::npos || std::filesystem::is_regular_file(o.scene, error);
+  if (path) {
     if (!settings.set.empty() || !settings.config.empty() || !o.keys.empty()) {
       throw Error(o.scene, "a recording has its parameters, settings and keys already");
     }
-    return std::make_unique<Recorded>(read_file(o.scene), catalogue);
+    return std::make_unique<Recorded>(o.scene, catalogue);
   }
   return std::make_unique<Started>(std::make_unique<Session>(catalogue.find(o.scene), settings), o.keys);
 }

@@ -1,5 +1,6 @@
 // The scenarios that the program offers (plugins, as in thesis §4). Each is a shared library in one folder with one C entry point, sudar_scenario;
-// one that was built for another engine is refused by name with the reason, and the others are offered all the same.
+// whatever else lies there, or was built for another engine, is refused by name with the reason, and the others are
+// offered all the same. What cannot be a library is not even opened: a pipe would wait, a truncated file end the program.
 // In a build with SUDAR_STATIC_SCENARIOS they are linked in and there is no folder.
 #pragma once
 

@@ -6,6 +6,8 @@
 #include <sstream>
 
 #include "main/command.h"
+#include "main/files.h"
+#include "main/interrupt.h"
 #include "main/movie.h"
 #include "main/playback.h"
 #include "main/progress.h"
@@ -28,7 +30,7 @@ struct RenderOptions {
 Camera parse_camera(const std::string& text) {
   std::vector<double> v;
   std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) v.push_back(parse_number("--camera", part));
+  for (std::string part; std::getline(parts, part, ',');) v.push_back(parse_number("--camera", part, {-1e12, 1e12}));
   if (v.size() != 6 && v.size() != 7) {
     throw Error("--camera", "\"" + text + "\" given, EYE_X,EYE_Y,EYE_Z,TARGET_X,TARGET_Y,TARGET_Z[,DEGREES] expected");
   }
@@ -47,11 +49,15 @@ Camera choose_camera(const std::string& asked, const Playback& p, const Scene& s
   return own && !unset(*own) ? *own : framing(scene, aspect);
 }
 
-void draw_picture(const RenderOptions& o, Playback& p, int width, int height) {
+void draw_picture(const RenderOptions& o, Playback& p, int width, int height, const Interrupt& interrupt) {
   const double at = o.at.value_or(o.scene.seconds.value_or(p.telling_moment()));
   {
     Progress progress(p.title(), at);
-    while (!p.over() && p.world().time() < at - 1e-9) p.step(), progress.show(p.world().time());
+    while (!p.over() && p.world().time() < at - 1e-9 && !interrupt.wished()) p.step(), progress.show(p.world().time());
+  }
+  if (interrupt.wished()) {
+    std::fprintf(stderr, "sudar: interrupted at %.6g s, before the picture\n", p.world().time());
+    return;
   }
   if (p.world().time() < at - p.world().config().dt) {
     throw Error("--at", "the recording ends at " + std::to_string(p.world().time()) + " s");
@@ -65,7 +71,7 @@ void draw_picture(const RenderOptions& o, Playback& p, int width, int height) {
 }
 
 // Pictures at even times, each a mixture of the steps before and after it.
-void draw_movie(const RenderOptions& o, Playback& p, int width, int height) {
+void draw_movie(const RenderOptions& o, Playback& p, int width, int height, const Interrupt& interrupt) {
   const double start = o.at.value_or(0), length = o.scene.seconds.value_or(p.seconds() - start);
   p.advance_to(start);
   Scene before = scene_of(p, needed_for(o.style)), after = before;
@@ -75,10 +81,10 @@ void draw_movie(const RenderOptions& o, Playback& p, int width, int height) {
   const std::unique_ptr<Movie> movie = make_movie(o.out, width, height, o.frames_per_second, provenance(p));
   // A movie runs as fast as a window would: time_factor is simulated time per second of it.
   const double frame = double(p.world().config().time_factor) / o.frames_per_second;
-  const int frames = int(std::floor(length / frame + 1e-6)) + 1;
-  Progress progress(p.title(), frames);
-  for (int i = 0; i < frames; ++i) {
-    const double time = start + i * frame;
+  const auto frames = std::int64_t(std::floor(length / frame + 1e-6)) + 1;
+  Progress progress(p.title(), double(frames));
+  for (std::int64_t i = 0; i < frames && !interrupt.wished(); ++i) {
+    const double time = start + double(i) * frame;
     while (after_time < time - 1e-9 && !p.over()) {
       before = std::move(after), before_time = after_time;
       p.step();
@@ -87,10 +93,12 @@ void draw_movie(const RenderOptions& o, Playback& p, int width, int height) {
     const double share =
         after_time > before_time ? std::clamp((time - before_time) / (after_time - before_time), 0.0, 1.0) : 1;
     movie->add(offscreen.picture(mix(before, after, share), camera, o.style, width, height));
-    progress.show(i + 1);
+    progress.show(double(i + 1));
   }
   progress.clear();
-  std::printf("%s\n", movie->finish().c_str());
+  const std::string made = movie->finish();
+  if (interrupt.wished()) std::fprintf(stderr, "sudar: interrupted at %.6g s; the movie ends there\n", after_time);
+  std::printf("%s\n", made.c_str());
 }
 
 int render(const RenderOptions& o, const Catalogue& catalogue) {
@@ -99,9 +107,11 @@ int render(const RenderOptions& o, const Catalogue& catalogue) {
   if (kind != ".png" && kind != ".mp4" && kind != ".webm") {
     throw Error("--output", "\"" + o.out + "\" given, a name that ends with .png, .mp4 or .webm expected");
   }
+  expect_writable(o.out);
   const std::unique_ptr<Playback> p = open_playback(o.scene, catalogue);
-  kind == ".png" ? draw_picture(o, *p, width, height) : draw_movie(o, *p, width, height);
-  return 0;
+  const Interrupt interrupt;
+  kind == ".png" ? draw_picture(o, *p, width, height, interrupt) : draw_movie(o, *p, width, height, interrupt);
+  return interrupt.wished() ? interrupted : 0;
 }
 
 }
@@ -112,15 +122,12 @@ void add_render(CLI::App& app, Action& chosen) {
   sub->add_option("what", o->scene.scene, "a name from sudar list, or a file written by sudar run --record")
       ->required();
   sub->add_option("-o,--output", o->out, "FILE.png, FILE.mp4 or FILE.webm")->required();
-  sub->add_option("--at", o->at, "time of the picture, or of the movie's start, s")->check(CLI::NonNegativeNumber);
+  add_number(*sub, "--at", o->at, simulated_time, "time of the picture, or of the movie's start, s");
   sub->add_option("--size", o->size, "WIDTHxHEIGHT")->capture_default_str();
-  sub->add_option("--fps", o->frames_per_second, "pictures per second of a movie")
-      ->check(CLI::Range(1, 240))
-      ->capture_default_str();
+  add_whole(*sub, "--fps", o->frames_per_second, 1, 240, "pictures per second of a movie")->default_str("30");
   sub->add_option("--camera", o->camera, "EYE_X,EYE_Y,EYE_Z,TARGET_X,TARGET_Y,TARGET_Z[,DEGREES]; else the scenario's");
-  sub->add_option("--samples", o->style.samples, "per pixel along each side: anti-aliasing")
-      ->check(CLI::Range(1, 4))
-      ->capture_default_str();
+  add_whole(*sub, "--samples", o->style.samples, 1, 4, "per pixel along each side: anti-aliasing")
+      ->default_str(std::to_string(o->style.samples));
   sub->add_flag("--contacts", o->style.contacts, "show contact points and normals: green sticks, red slips");
   sub->add_flag("--joints", o->style.joints, "show joints");
   sub->add_flag("--forces", o->style.forces, "show weights and the forces of contacts and joints");

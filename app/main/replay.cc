@@ -5,6 +5,7 @@
 
 #include "main/command.h"
 #include "main/files.h"
+#include "main/interrupt.h"
 #include "main/progress.h"
 #include "main/report.h"
 
@@ -23,10 +24,11 @@ std::string place_of(const Divergence& d, const World& world) {
 }
 
 int replay(const std::string& file, bool check, const Catalogue&) {
-  Replay r(read_file(file));
+  Replay r = load_file(file, [](Bytes bytes) { return Replay(std::move(bytes)); });
+  const Interrupt interrupt;
   Progress progress(r.title(), double(r.steps()));
   std::optional<Divergence> divergence;
-  while (!r.done() && !divergence) {
+  while (!r.done() && !divergence && !interrupt.wished()) {
     divergence = r.step(check);
     progress.show(double(r.world().steps()));
   }
@@ -35,6 +37,12 @@ int replay(const std::string& file, bool check, const Catalogue&) {
     std::printf("%s: differs from the recording: %s\n", file.c_str(), place_of(*divergence, r.world()).c_str());
     return 1;
   }
+  if (!r.done()) {
+    std::fprintf(stderr, "sudar: interrupted after step %lld of %lld\n", static_cast<long long>(r.world().steps()),
+                 static_cast<long long>(r.steps()));
+    return interrupted;
+  }
+  if (r.cut_off()) std::printf("%s: was cut off, and ends with its last whole step\n", file.c_str());
   std::printf("%s: %s, %lld steps, %.4g s%s, state %s\n", file.c_str(), r.title().c_str(),
               static_cast<long long>(r.steps()), r.world().time(), check ? ", every step as recorded" : "",
               hex(r.world().hash()).c_str());

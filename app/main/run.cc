@@ -1,12 +1,12 @@
 // sudar run: a scenario without a picture; its checks decide the exit code.
-#include <sudar/record.h>
-
 #include <cstdio>
 #include <iostream>
 
 #include "main/command.h"
 #include "main/csv.h"
+#include "main/interrupt.h"
 #include "main/progress.h"
+#include "main/recording.h"
 #include "main/report.h"
 #include "main/scene_options.h"
 
@@ -15,6 +15,8 @@ namespace sudar::app {
 using namespace bench;
 
 namespace {
+
+constexpr std::int64_t most_steps = 1'000'000'000'000;
 
 struct RunOptions {
   SceneOptions scene;
@@ -26,11 +28,19 @@ struct RunOptions {
 // "FILE@STEP"
 std::pair<std::string, std::int64_t> parse_save(const std::string& text) {
   const std::size_t at = text.rfind('@');
-  const double step = at == std::string::npos ? -1 : parse_number("--save", text.substr(at + 1));
-  if (at == 0 || step < 0 || step != double(std::int64_t(step))) {
-    throw Error("--save", "\"" + text + "\" given, FILE@STEP expected");
+  if (at == 0 || at == std::string::npos) throw Error("--save", "\"" + text + "\" given, FILE@STEP expected");
+  expect_writable(text.substr(0, at));
+  return {text.substr(0, at), parse_whole("--save", text.substr(at + 1), 0, most_steps)};
+}
+
+// Two outputs in one file would spoil each other.
+void expect_different_files(const RunOptions& o, const std::string& save) {
+  const std::pair<const char*, std::string> outputs[] = {{"--csv", o.csv}, {"--record", o.record}, {"--save", save}};
+  for (const auto& [option, file] : outputs) {
+    for (const auto& [other, same] : outputs) {
+      if (option != other && !file.empty() && file == same) throw Error(option, "names the file of " + std::string(other));
+    }
   }
-  return {text.substr(0, at), std::int64_t(step)};
 }
 
 Session start(const RunOptions& o, const Catalogue& catalogue) {
@@ -38,7 +48,8 @@ Session start(const RunOptions& o, const Catalogue& catalogue) {
   if (o.load.empty()) return Session(catalogue.find(o.scene.scene), settings);
   if (!settings.set.empty()) throw Error("--set", "a saved run has its parameters already: leave out --set or --load");
   const std::string& name = catalogue.find(o.scene.scene).name;
-  Session session = Session::load(catalogue, read_file(o.load));
+  Session session =
+      load_file(o.load, [&](const Bytes& bytes) { return Session::load(catalogue, bytes); });
   if (session.entry().name != name) {
     throw Error(o.load, std::string("holds a run of ") + session.entry().name + ", not of " + name);
   }
@@ -65,6 +76,14 @@ void print(const Session& session, const Meter& meter) {
   }
 }
 
+void tell_interruption(const World& world, const std::vector<std::string>& files) {
+  std::fprintf(stderr, "sudar: interrupted after step %lld, %.6g s", static_cast<long long>(world.steps()), world.time());
+  for (const std::string& file : files) {
+    if (!file.empty()) std::fprintf(stderr, "; %s holds it so far", file.c_str());
+  }
+  std::fputs("\n", stderr);
+}
+
 int run(const RunOptions& o, const Catalogue& catalogue) {
   Session session = start(o, catalogue);
   World& world = session.world();
@@ -72,44 +91,49 @@ int run(const RunOptions& o, const Catalogue& catalogue) {
   keys.skip(world.time() - session.dt());  // of a run that goes on
   std::pair<std::string, std::int64_t> save{"", -1};
   if (!o.save.empty()) save = parse_save(o.save);
-  std::optional<Csv> csv;
-  if (!o.csv.empty()) csv.emplace(o.csv, world);
-  std::optional<Recorder> recorder;
-  if (!o.record.empty()) recorder.emplace(world, session.entry().name);
-
+  expect_different_files(o, save.first);
   const double end = o.scene.seconds.value_or(session.seconds());
   const auto done = [&] { return o.steps ? world.steps() >= *o.steps : world.time() >= end - 1e-9; };
   if (save.second >= 0 && world.steps() > save.second) {
     throw Error("--save",
                 "step " + std::to_string(save.second) + " is over: the run starts at " + std::to_string(world.steps()));
   }
+  std::optional<Csv> csv;
+  if (!o.csv.empty()) csv.emplace(o.csv, world);
+  std::optional<Recording> recording;
+  if (!o.record.empty()) recording.emplace(o.record, world, session.entry().name);
+  const Interrupt interrupt;
   Meter meter(world);
   Progress progress(session.entry().name, o.steps ? double(*o.steps) : end);
   const auto save_if_due = [&] {
     if (world.steps() == save.second) write_file(save.first, session.save());
   };
   save_if_due();
-  while (!done()) {
+  while (!done() && !interrupt.wished()) {
     keys.apply(world.time(), session.input);
     session.step();
     meter.after_step(world);
-    if (recorder) recorder->after_step();
+    if (recording) recording->after_step();
     if (csv) csv->row(world);
     save_if_due();
     progress.show(o.steps ? double(world.steps()) : world.time());
   }
-  if (world.steps() < save.second) {
+  if (world.steps() < save.second && !interrupt.wished()) {
     throw Error("--save", "step " + std::to_string(save.second) + " was not reached: the run ended at " +
                               std::to_string(world.steps()));
   }
   session.finish();
   if (csv) csv->finish();
-  if (recorder) write_file(o.record, recorder->bytes());
+  if (recording) recording->finish();
   progress.clear();
   if (o.json)
     std::cout << report(session, meter).dump(2) << '\n';
   else
     print(session, meter);
+  if (!done()) {
+    tell_interruption(world, {o.csv, o.record});
+    return interrupted;
+  }
   return nothing_failed(session.check()) ? 0 : 1;
 }
 
@@ -120,7 +144,7 @@ void add_run(CLI::App& app, Action& chosen) {
   const auto o = std::make_shared<RunOptions>();
   sub->add_option("scene", o->scene.scene, "a name from sudar list")->required();
   o->scene.add_to(*sub);
-  sub->add_option("--steps", o->steps, "instead of --seconds")->check(CLI::NonNegativeNumber)->excludes("--seconds");
+  add_whole(*sub, "--steps", o->steps, 0, most_steps, "instead of --seconds")->excludes("--seconds");
   sub->add_option("--csv", o->csv, "write time, energies, positions, velocities and sensors of every step to FILE");
   sub->add_option("--record", o->record, "write a recording to FILE: for sudar replay and sudar render");
   sub->add_option("--save", o->save, "FILE@STEP: write the whole state after that step");

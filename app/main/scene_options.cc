@@ -1,7 +1,5 @@
 #include "main/scene_options.h"
 
-#include <charconv>
-
 namespace sudar::app {
 
 namespace {
@@ -37,14 +35,6 @@ std::map<std::string, double> parse_parameters(const std::vector<std::string>& t
   return set;
 }
 
-double parse_number(const std::string& what, const std::string& text) {
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || stop != end) throw Error(what, "\"" + text + "\" given, a number expected");
-  return number;
-}
-
 void SceneOptions::add_to(CLI::App& app) {
   app.add_option("--set", set, "parameter of the scenario: NAME=VALUE; may be repeated")->allow_extra_args(false);
   app.add_option("--config", config,
@@ -56,7 +46,7 @@ void SceneOptions::add_to(CLI::App& app) {
   app.add_option("--solver", solver, choices(names(Solver{})));
   app.add_option("--broad", broad, choices(names(Broad{})));
   app.add_flag("--no-sleep", no_sleep, "compute bodies at rest, too");
-  app.add_option("--seconds", seconds, "simulated time; else the scenario's own")->check(CLI::NonNegativeNumber);
+  add_number(app, "--seconds", seconds, simulated_time, "simulated time; else the scenario's own");
   app.add_option("--keys", keys, "keys held from a time on: \"0:up+left 12.5:none\"");
 }
 
@@ -72,17 +62,6 @@ Settings SceneOptions::settings() const {
   for (const std::string& text : config) s.config.push_back(name_and_value("--config", text));
   s.seconds = seconds;
   return s;
-}
-
-std::pair<int, int> parse_size(const std::string& text) {
-  const std::size_t cross = text.find('x');
-  if (cross != std::string::npos) {
-    const double width = parse_number("--size", text.substr(0, cross));
-    const double height = parse_number("--size", text.substr(cross + 1));
-    const auto good = [](double v) { return v >= 16 && v <= 8192 && v == double(int(v)); };
-    if (good(width) && good(height)) return {int(width), int(height)};
-  }
-  throw Error("--size", "\"" + text + "\" given, WIDTHxHEIGHT expected, each from 16 to 8192");
 }
 
 }

@@ -5,6 +5,8 @@
 
 #include <CLI/App.hpp>
 
+#include "main/numbers.h"
+
 namespace sudar::app {
 
 struct SceneOptions {
@@ -24,11 +26,5 @@ std::map<std::string, double> parse_parameters(const std::vector<std::string>&);
 
 // The names of an enumeration, for the help.
 std::string choices(const char* const* names);
-
-// "1280x720" → 1280, 720.
-std::pair<int, int> parse_size(const std::string&);
-
-// A number and nothing else. Throws Error naming `what`.
-double parse_number(const std::string& what, const std::string& text);
 
 }

@@ -110,7 +110,7 @@ void add_verify(CLI::App& app, Action& chosen) {
   sub->add_flag("--list", v->list, "name the cases and their parameters, run none");
   sub->add_option("--set", v->set, "parameter of the cases: NAME=VALUE; may be repeated")->allow_extra_args(false);
   sub->add_option("--solver", v->solver, "one solver only: " + choices(names(Solver{})));
-  sub->add_option("--jobs", v->jobs, "cases at once; else as many as the processor has cores");
+  add_whole(*sub, "--jobs", v->jobs, 1, 1024, "cases at once; else as many as the processor has cores");
   sub->add_option("--report", v->report, "writes pages for a browser with curves into this folder");
   sub->add_flag("--json", v->json, "the results as JSON (docs/verification.md)");
   sub->callback([&chosen, v] { chosen = [v](const Catalogue&) { return verify(*v); }; });

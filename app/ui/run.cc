@@ -21,7 +21,7 @@ void Run::restart(const std::map<std::string, double>& parameters) {
   Settings settings = settings_;
   settings.set = parameters;
   auto fresh = std::make_unique<Session>(session_->entry(), settings);
-  if (recorder_) {  // the recorder keeps to its world: the new one's state moves in there
+  if (recording_) {  // the recorder keeps to its world: the new one's state moves in there
     world().load(fresh->world().save());
     fresh->world() = std::move(world());
   }
@@ -34,7 +34,7 @@ void Run::restart(const std::map<std::string, double>& parameters) {
 void Run::step() {
   pull();
   session_->step();
-  if (recorder_) recorder_->after_step(), ++recorded_;
+  if (recording_) recording_->after_step();
 }
 
 void Run::set_config(const Config& config) {
@@ -137,17 +137,16 @@ void Run::remove(Body body) {
 }
 
 void Run::start_recording() {
-  if (recorder_) return;
-  recorder_ = std::make_unique<Recorder>(world(), session_->entry().name);
-  recorded_ = 0;
+  if (recording_) return;
+  const std::string name = session_->entry().name;
+  recording_ = std::make_unique<app::Recording>(app::unused_name(name, ".sudar"), world(), name);
 }
 
 std::string Run::stop_recording() {
-  if (!recorder_) return {};
-  const std::string file = app::unused_name(session_->entry().name, ".sudar");
-  app::write_file(file, recorder_->bytes());
-  recorder_.reset();
-  return file + ", " + std::to_string(recorded_) + " steps, state " + app::hex(world().hash());
+  if (!recording_) return {};
+  const std::unique_ptr<app::Recording> done = std::move(recording_);
+  done->finish();
+  return done->path() + ", " + std::to_string(done->steps()) + " steps, state " + app::hex(world().hash());
 }
 
 }

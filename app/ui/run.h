@@ -2,10 +2,10 @@
 // threads and pictures. Whatever a hand does becomes operations of World, so that a recording replays it.
 #pragma once
 
-#include <sudar/record.h>
 #include <sudar/session.h>
 
 #include "main/playback.h"
+#include "main/recording.h"
 
 namespace sudar::ui {
 
@@ -37,9 +37,9 @@ class Run {
   Body insert(Solid, const Ray&, double scale);  // on what the ray hits, else where it passes at that distance
   void remove(Body);
 
-  void start_recording();
-  std::string stop_recording();  // writes a file, returns what it holds, in words; empty: nothing was recorded
-  bool recording() const { return recorder_ != nullptr; }
+  void start_recording();        // into a file that grows
+  std::string stop_recording();  // returns what the file holds, in words; empty: nothing was recorded
+  bool recording() const { return recording_ != nullptr; }
 
   const Session& session() const { return *session_; }
   const Settings& settings() const { return settings_; }
@@ -63,8 +63,7 @@ class Run {
   Settings settings_;
   std::unique_ptr<Session> session_;
   std::unique_ptr<app::Playback> playback_;
-  std::unique_ptr<Recorder> recorder_;
-  std::int64_t recorded_ = 0;  // steps
+  std::unique_ptr<app::Recording> recording_;
   std::optional<Grab> grabbed_;
   Vec3 twist_{};
 };

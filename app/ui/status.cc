@@ -87,9 +87,8 @@ void StatusFile::write(const Controls& c, const Window& window, double frames_pe
       {"shortcuts", shortcuts},
       {"places", c.places.all()},
   };
-  app::TextFile file(path_);
-  file.out() << j.dump() << '\n';
-  file.commit();
+  const std::string text = j.dump() + '\n';
+  app::write_file(path_, std::as_bytes(std::span(text)));
 }
 
 }

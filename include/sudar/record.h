@@ -1,8 +1,11 @@
 // Recording and replay. A recording is a snapshot, then for every step the operations before it, its dt and hashes of
-// what it led to; replay needs no scenario, and names the first difference.
+// what it led to; replay needs no scenario, and names the first difference. A recording that grows in a file is open
+// until it gets its end: an open one that was cut off replays up to its last whole step.
 #pragma once
 
 #include <sudar/world.h>
+
+#include <span>
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -14,7 +17,10 @@ class Recorder {
   ~Recorder();                          // stops
   Recorder(const Recorder&) = delete;
   void after_step();                    // call once after every World::step
-  Bytes bytes() const;                  // the recording so far: what a file holds
+  Bytes bytes() const;                  // the recording so far, complete: what a file holds
+  // The same without an end. It only grows; bytes() differs from it in the first `head` bytes and in its end.
+  std::span<const std::byte> open_bytes() const { return data_; }
+  static constexpr std::size_t head = 8;
 
  private:
   World::Impl& world_;
@@ -34,6 +40,7 @@ class Replay {
   const std::string& title() const { return title_; }
   std::int64_t steps() const { return steps_; }
   bool done() const;
+  bool cut_off() const { return cut_off_; }  // it has no end: these are the whole steps that there are
   World& world() { return world_; }
   const World& world() const { return world_; }
   // Performs the next step; with `check`, compares with the recording.
@@ -43,6 +50,7 @@ class Replay {
   Bytes data_;
   std::size_t position_ = 0;
   std::int64_t steps_ = 0, next_ = 0;
+  bool cut_off_ = false;
   std::string title_;
   World world_;
 };

@@ -85,6 +85,8 @@ class Input {
   bool pressed(std::string_view key) const;
   void set(std::vector<std::string> held);  // what is held from now on; what was not held before counts as pressed
   void clear_pressed() { pressed_.clear(); }
+  static constexpr const char* named_keys = "up, down, left, right, space, enter, shift";
+  static bool is_key(std::string_view);  // one of these, or "a" to "z", "0" to "9"
   Vec3 view{0, 0, -1};
 
   Bytes save() const;

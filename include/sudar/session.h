@@ -8,12 +8,16 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
+// A new instance; throws Error where the plugin makes none.
+using ScenarioPointer = std::unique_ptr<Scenario, void (*)(Scenario*)>;
+ScenarioPointer make_scenario(const ScenarioEntry&);
+
 // Scenarios by name. Holds pointers: the plugins that own the entries outlive it.
 class Catalogue {
  public:
-  void add(const ScenarioEntry*);                             // throws Error: a foreign ABI, a name that is taken
+  void add(const ScenarioEntry*);                             // throws Error: holes, a foreign ABI, a name that is taken
   const std::vector<const ScenarioEntry*>& all() const { return entries_; }  // by place
-  const ScenarioEntry& find(std::string_view name) const;     // throws Error naming the nearest names
+  const ScenarioEntry& find(std::string_view name) const;     // throws Error naming one that is near
 
  private:
   std::vector<const ScenarioEntry*> entries_;
@@ -28,7 +32,7 @@ std::vector<std::pair<std::string, std::string>> fields_of(const Config&);
 struct Settings {
   std::map<std::string, double> set{};                        // parameters
   std::vector<std::pair<std::string, std::string>> config{};  // by path, in order, after the scenario's own config()
-  std::optional<double> seconds{};                            // else the scenario's own
+  std::optional<double> seconds{};                            // finite, not negative; else the scenario's own
 };
 
 // Keys by script: "0:up+left 12.5:none" — from 0 s up and left, from 12.5 s nothing.
@@ -74,7 +78,7 @@ class Session {
   template <class F>
   void unless_abandoned(F);
   const ScenarioEntry* entry_ = nullptr;
-  std::unique_ptr<Scenario, void (*)(Scenario*)> scenario_{nullptr, nullptr};
+  ScenarioPointer scenario_{nullptr, nullptr};
   std::vector<Params::Entry> params_;
   World world_;
   Check check_;

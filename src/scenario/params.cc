@@ -71,6 +71,13 @@ void Input::set(std::vector<std::string> keys) {
   held_ = std::move(keys);
 }
 
+bool Input::is_key(std::string_view key) {
+  const auto within = [](char c, char low, char high) { return c >= low && c <= high; };
+  if (key.size() == 1) return within(key[0], 'a', 'z') || within(key[0], '0', '9');
+  const std::string list = std::string(", ") + named_keys + ", ";
+  return key.find(',') == std::string_view::npos && list.find(", " + std::string(key) + ", ") != std::string::npos;
+}
+
 Bytes Input::save() const {
   Writer w;
   for (const auto* keys : {&held_, &pressed_}) {

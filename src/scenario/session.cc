@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "base/archive.h"
+#include "base/text.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -25,14 +26,39 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+// A slip of the finger: a third of the letters at most.
+bool near(std::string_view given, std::string_view name) {
+  return distance(given, name) <= std::max<std::size_t>(1, name.size() / 3);
+}
+
+double checked_seconds(double seconds) {
+  if (!(seconds >= 0) || std::isinf(seconds)) throw Error("seconds", "is " + text(seconds) + ", must be finite and not negative");
+  return seconds;
+}
+
 constexpr std::uint64_t magic = 0x32302e6e73647573;  // "sudsn.02" as bytes
+constexpr std::uint64_t kind = 0xffffffffffff;       // of it: without the version
 
 }
 
+ScenarioPointer make_scenario(const ScenarioEntry& entry) {
+  ScenarioPointer scenario(entry.create(), entry.destroy);
+  if (!scenario) throw Error(entry.name, "the plugin makes no scenario");
+  return scenario;
+}
+
 void Catalogue::add(const ScenarioEntry* entry) {
+  if (entry == nullptr) throw Error("plugin", "has no entry");
+  if (entry->abi == nullptr) throw Error("plugin", "does not say what it was built for");
   const std::string engine = abi_of_this_engine();
   if (engine != entry->abi) {
     throw Error("plugin", "was built for [" + std::string(entry->abi) + "], this engine is [" + engine + "]");
+  }
+  const bool whole = entry->name != nullptr && *entry->name != '\0' && entry->place != nullptr &&
+                     entry->about != nullptr && entry->create != nullptr && entry->destroy != nullptr;
+  if (!whole) throw Error("plugin", "has an entry with holes");
+  if (!(entry->seconds >= 0 && entry->seconds <= 1e9 && entry->picture >= 0 && entry->picture <= 1e9)) {
+    throw Error("plugin", "lasts no time that can be run");
   }
   for (const ScenarioEntry* e : entries_) {
     if (std::strcmp(e->name, entry->name) == 0) throw Error(entry->name, "is there twice");
@@ -50,9 +76,9 @@ const ScenarioEntry& Catalogue::find(std::string_view name) const {
     if (name == e->name) return *e;
     if (nearest == nullptr || distance(name, e->name) < distance(name, nearest->name)) nearest = e;
   }
-  throw Error("scene",
-              "'" + std::string(name) + "' does not exist" +
-                  (nearest != nullptr ? "; did you mean '" + std::string(nearest->name) + "'?" : ": there are none"));
+  std::string hint = entries_.empty() ? ": there are none" : "; sudar list names all";
+  if (nearest != nullptr && near(name, nearest->name)) hint = "; did you mean '" + std::string(nearest->name) + "'?";
+  throw Error("scene", "'" + std::string(name) + "' does not exist" + hint);
 }
 
 KeyScript::KeyScript(std::string_view text) {
@@ -64,7 +90,7 @@ KeyScript::KeyScript(std::string_view text) {
     if (word.empty()) continue;
     char* rest = nullptr;
     const double time = std::strtod(word.c_str(), &rest);
-    if (rest == word.c_str() || *rest != ':' || rest[1] == '\0' || !(time >= 0) ||
+    if (!std::isfinite(time) || rest == word.c_str() || *rest != ':' || rest[1] == '\0' || !(time >= 0) ||
         (!entries_.empty() && time < entries_.back().first)) {
       throw Error("keys", "'" + word + "' is not TIME:KEY+KEY or TIME:none, with times that do not fall");
     }
@@ -74,6 +100,9 @@ KeyScript::KeyScript(std::string_view text) {
       const std::size_t plus = std::min(list.find('+', k), list.size());
       if (plus == k) throw Error("keys", "'" + word + "' names a key without a name");
       keys.push_back(list.substr(k, plus - k));
+      if (!Input::is_key(keys.back())) {
+        throw Error("keys", "'" + keys.back() + "' is no key: a to z, 0 to 9, " + Input::named_keys + " are");
+      }
       k = plus + 1;
     }
     entries_.push_back({time, keys});
@@ -89,7 +118,7 @@ void KeyScript::skip(double time) {
 }
 
 Session::Session(const ScenarioEntry& entry, const Settings& settings)
-    : entry_(&entry), scenario_(entry.create(), entry.destroy), seconds_(settings.seconds.value_or(entry.seconds)) {
+    : entry_(&entry), scenario_(make_scenario(entry)), seconds_(checked_seconds(settings.seconds.value_or(entry.seconds))) {
   Params params(settings.set);
   scenario_->params(params);
   params.require_all_known();
@@ -148,11 +177,13 @@ Bytes Session::save() const {
 
 Session Session::load(const Catalogue& catalogue, std::span<const std::byte> bytes) {
   Reader r(bytes);
-  if (r.left() < sizeof magic || r.value<std::uint64_t>() != magic) throw Error("data", "is not a saved run");
+  const std::uint64_t word = r.left() < sizeof magic ? 0 : r.value<std::uint64_t>();
+  if ((word & kind) != (magic & kind)) throw Error("data", "is not a saved run");
+  if (word != magic) throw Error("version", "of the saved run is another one than this program reads");
   r = Reader(unseal(bytes), r.position());
   Session s;
   s.entry_ = &catalogue.find(r.text());
-  s.scenario_ = {s.entry_->create(), s.entry_->destroy};
+  s.scenario_ = make_scenario(*s.entry_);
   std::map<std::string, double> values;
   for (std::size_t n = r.count(1); n > 0; --n) {
     std::string name = r.text();
@@ -171,7 +202,7 @@ Session Session::load(const Catalogue& catalogue, std::span<const std::byte> byt
   s.check_.load(part);
   r.array(part);
   s.input.load(part);
-  s.seconds_ = r.value<double>();
+  s.seconds_ = checked_seconds(r.value<double>());
   s.abandoned_ = r.text();
   r.array(part);
   s.world_.load(part);

@@ -1,4 +1,5 @@
 // A recording: header, title, snapshot; per step: dt, the operations before it, hashes after it; the number of steps, seal.
+// An open one begins with another word and lacks the last two.
 #include <sudar/record.h>
 
 #include "base/hash.h"
@@ -10,6 +11,8 @@ namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
 constexpr std::uint64_t magic = 0x31302e6365727573;  // "surec.01" as bytes
+constexpr std::uint64_t open_magic = 0x6e65706f72727573;  // "surropen" as bytes
+static_assert(sizeof magic == Recorder::head);
 constexpr std::uint32_t version = 1;
 
 // What a step led to: enough to name the first stage, field and body that differ.
@@ -52,7 +55,7 @@ Divergence divergence(std::int64_t step, const StepHashes& was, const StepHashes
 
 Recorder::Recorder(World& world, std::string title) : world_(world.impl()) {
   Writer w;
-  w.value(magic), w.value(version);
+  w.value(open_magic), w.value(version);
   w.text(title);
   w.array(world.save());
   data_ = w.take();
@@ -78,18 +81,52 @@ void Recorder::after_step() {
 
 Bytes Recorder::bytes() const {
   Writer w;
-  w.raw(data_.data(), data_.size());
+  w.value(magic);
+  w.raw(data_.data() + head, data_.size() - head);
   w.value(steps_);
   return w.take_sealed();
 }
 
+namespace {
+
+struct Step {
+  double dt;
+  StepHashes hashes;
+};
+
+// `perform` is given each operation before the next one is read.
+template <class F>
+Step read_step(Reader& r, F perform) {
+  Step s{r.value<double>(), {}};
+  for (std::size_t n = r.count(1); n > 0; --n) {
+    Operation op;
+    read(r, op);
+    perform(op);
+  }
+  read(r, s.hashes);
+  return s;
+}
+
+// Of a recording that was cut off.
+std::int64_t count_whole_steps(Reader r) {
+  std::int64_t steps = 0;
+  try {
+    for (; r.left() > 0; ++steps) read_step(r, [](const Operation&) {});
+  } catch (const Error&) {}
+  return steps;
+}
+
+}
+
 Replay::Replay(Bytes recording) : data_(std::move(recording)) {
   Reader r(data_);
-  if (r.left() < sizeof magic || r.value<std::uint64_t>() != magic) throw Error("recording", "is not a recording");
+  const std::uint64_t kind = r.left() < sizeof magic ? 0 : r.value<std::uint64_t>();
+  if (kind != magic && kind != open_magic) throw Error("recording", "is not a recording");
+  cut_off_ = kind == open_magic;
   if (const auto v = r.value<std::uint32_t>(); v != version) {
     throw Error("version", "is " + std::to_string(v) + ", this program reads " + std::to_string(version));
   }
-  data_.resize(unseal(data_).size());
+  if (!cut_off_) data_.resize(unseal(data_).size());
   r = Reader(data_, r.position());
   title_ = r.text();
   Bytes snapshot;
@@ -97,7 +134,7 @@ Replay::Replay(Bytes recording) : data_(std::move(recording)) {
   world_.load(snapshot);
   world_.impl().recording = true;  // for the stages' hashes
   position_ = r.position();
-  steps_ = Reader(data_, data_.size() - sizeof steps_).value<std::int64_t>();
+  steps_ = cut_off_ ? count_whole_steps(r) : Reader(data_, data_.size() - sizeof steps_).value<std::int64_t>();
 }
 
 bool Replay::done() const { return next_ >= steps_; }
@@ -105,22 +142,18 @@ bool Replay::done() const { return next_ >= steps_; }
 std::optional<Divergence> Replay::step(bool check) {
   if (done()) throw Error("recording", "has no more steps");
   Reader r(data_, position_, world_.impl().number);
-  const auto dt = r.value<double>();
-  for (std::size_t n = r.count(1); n > 0; --n) {
-    Operation op;
-    read(r, op);
+  const Step recorded = read_step(r, [&](const Operation& op) {
     world_.impl().replay(op);
-  }
-  StepHashes was;
-  read(r, was);
+    r = Reader(data_, r.position(), world_.impl().number);  // which a load changes
+  });
   position_ = r.position();
   world_.impl().log.clear();
-  world_.step(dt);
+  world_.step(recorded.dt);
   ++next_;
   if (!check) return {};
   const StepHashes is = hashes_of(world_.impl());
-  if (was == is) return {};
-  return divergence(next_, was, is, world_.impl().bodies);
+  if (recorded.hashes == is) return {};
+  return divergence(next_, recorded.hashes, is, world_.impl().bodies);
 }
 
 }

@@ -196,7 +196,6 @@ TEST_F(Cli, BadInputIsNamed) {
       {"render wall -o a.png --size 12", {"--size", "12"}},
       {"render wall -o a.png --camera 1,2", {"--camera", "1,2"}},
       {"render wall", {"--output"}},
-      {"bench", {"--thesis"}},
       {"bench --thesis cradle", {"cradle"}},
       {"--scenarios /no/such/folder list", {"/no/such/folder"}},
   };

@@ -100,10 +100,16 @@ TEST(OtherWorld, ALoadedWorldKnowsTheHandlesOfTheOneThatWasSaved) {
   const Body late = saved.w.add(cube({9, 9, 9}));
   saved.w.remove(saved.hinge);
   saved.w.step(), recorder.after_step();
+  saved.w.load(loaded.w.save());  // the same number
+  Pair third;
+  saved.w.load(third.w.save());  // another one, whose handles are good from here on
+  saved.w.push(third.a, {1, 2, 3}, {});
+  saved.w.step(), recorder.after_step();
+  EXPECT_FALSE(saved.w.alive(late));
   Replay replay(recorder.bytes());
   while (!replay.done()) EXPECT_FALSE(replay.step());
-  EXPECT_TRUE(replay.world().alive(late));
-  EXPECT_FALSE(replay.world().alive(saved.hinge));
+  EXPECT_TRUE(replay.world().alive(third.a));
+  EXPECT_FALSE(replay.world().alive(late));
 }
 
 // Which world a handle is of is in no hash: the same input gives the same bits.
