@@ -1,6 +1,8 @@
 // Every geometry of a world, once, by content. Outside the state: a number in here is all that bodies keep.
 #pragma once
 
+#include <unordered_map>
+
 #include "geometry/archive.h"
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -8,11 +10,16 @@ namespace sudar::inline SUDAR_PRECISION {
 class GeometryStore {
  public:
   std::uint32_t number_of(const Shape& shape) {
-    for (std::uint32_t i = 0; i < shapes_.size(); ++i) {
+    if (const auto at = by_address_.find(&shape.geometry()); at != by_address_.end()) return at->second;
+    std::vector<std::uint32_t>& alike = by_content_[hash_of(shape)];
+    for (const std::uint32_t i : alike) {
       if (shapes_[i] == shape) return i;
     }
+    const auto number = std::uint32_t(shapes_.size());
+    alike.push_back(number);
+    by_address_.emplace(&shape.geometry(), number);
     shapes_.push_back(shape);
-    return std::uint32_t(shapes_.size() - 1);
+    return number;
   }
   const Shape& operator[](std::uint32_t number) const { return shapes_[number]; }
   std::uint32_t size() const { return std::uint32_t(shapes_.size()); }
@@ -23,11 +30,25 @@ class GeometryStore {
   }
   friend void read(Reader& r, GeometryStore& s) {
     s.shapes_.resize(r.count(1));
-    for (Shape& shape : s.shapes_) read(r, shape);
+    s.by_address_.clear(), s.by_content_.clear();
+    for (std::uint32_t i = 0; i < s.size(); ++i) {
+      read(r, s.shapes_[i]);
+      s.by_address_.emplace(&s.shapes_[i].geometry(), i);
+      s.by_content_[hash_of(s.shapes_[i])].push_back(i);
+    }
   }
 
  private:
+  static std::uint64_t hash_of(const Shape& shape) {
+    Writer w;
+    write(w, shape);
+    return hash_bytes(w.bytes().data(), w.bytes().size());
+  }
+
   std::vector<Shape> shapes_;
+  // Only looked up, never walked. What lies here stays alive, so its address is nobody else's.
+  std::unordered_map<const Geometry*, std::uint32_t> by_address_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> by_content_;
 };
 
 }

@@ -4,10 +4,13 @@
 
 #include <sudar/world.h>
 
+#include <unordered_map>
+
+#include "base/pending_set.h"
 #include "collision/broad/broad.h"
 #include "collision/narrow/pairs.h"
 #include "dynamics/impulse_2007.h"
-#include "dynamics/islands.h"
+#include "dynamics/sleepers.h"
 #include "world/geometry_store.h"
 #include "world/ops.h"
 
@@ -46,7 +49,7 @@ struct World::Impl {
   std::vector<Sensor> sensors;          // by slot, like the two below
   std::vector<SensorMemory> sensor_memory;
   Slots sensor_slots;
-  std::vector<PairRow> pairs;           // sorted; `row` is a slot of contacts
+  PairTable pairs;                      // `row` is a slot of contacts
   std::vector<Proxy> proxies;           // by body slot; their fat boxes decide which pairs exist
   std::int64_t steps = 0;
   // time = clock_start + clock_steps · clock_step: multiplied, never summed
@@ -62,13 +65,16 @@ struct World::Impl {
   std::vector<std::uint32_t> changed;       // proxies that are new, moved or gone since the last search for pairs
   JointGraph joint_graph;
   std::vector<PlaneProxy> planes;           // the half spaces, ascending
-  std::vector<ProxyPair> never_touch;       // bodies joined by a joint that forbids it, sorted
-  bool joints_changed = false;              // since that list was made
+  std::vector<ProxyPair> parted;            // bodies that a new joint forbids to touch, since the last search for pairs
+  std::unordered_map<std::string, std::vector<std::uint32_t>> named;  // bodies by name, ascending; only looked up
+  std::vector<std::uint32_t> hollows;       // bodies that are hollow, ascending
+  PendingSet awake_bodies, moving_kinematic, awake_joints;
+  Sleepers sleepers;
+  std::vector<std::uint32_t> pushed;        // bodies whose force or torque may not be 0
   std::vector<std::uint32_t> awake, smooth, kinematic, active_joints;
-  std::vector<std::uint32_t> active_pairs;  // rows of `pairs` collided in this sub-step, ascending
   std::vector<Pose> shape_poses;            // by body slot
   std::vector<const Geometry*> geometries;
-  std::vector<std::uint32_t> touching;      // those of them that touch, island after island
+  std::vector<std::uint32_t> touching;      // pairs that touch and can change, island after island
   std::vector<ActiveContact> active_contacts;  // the same
   Unions unions;
   std::vector<std::uint32_t> island_of;     // by body slot, of those awake: number in `islands`
@@ -133,12 +139,14 @@ struct World::Impl {
   bool is_half_space(std::uint32_t body) const { return geometry_of(body).kind == ShapeKind::half_space; }
   Material pair_material(const ProxyPair&) const;
   void touch_proxy(std::uint32_t body, bool force);  // keeps the fat box around the body, notes a change
-  void drop_pairs(std::uint32_t body);               // forgets what it touches, and wakes that
-  void release(const EndedPair&);                    // of the pair table: its contact row goes, its bodies wake
+  std::vector<std::uint32_t> pairs_of(std::uint32_t body) const;  // by key
+  void end_pair(std::uint32_t pair);                 // it goes, its contact too; its bodies wake if they touched
+  bool forbidden(const ProxyPair&) const;            // by a joint between the two
+  void enlist(std::uint32_t body);                   // it moves: so its pairs and joints may change
+  void enlist_joint(std::uint32_t joint);            // it has come
   void wake_island(std::uint32_t body);
   void wake_around(std::uint32_t body);              // what sleeps where a still body was put, and what hangs on it
   void wake_all();
-  void list_never_touch();
   void rebuild();                                    // everything that is a function of the state
 
   // snapshot.cc

@@ -24,13 +24,10 @@ void World::Impl::require(SensorId s, const char* what) const { require_alive(*t
 
 namespace {
 
-// A hollow collides with spheres only (shape.h): better refused than passed through in silence.
+// A hollow collides with spheres only (shape.h): better refused than passed through in silence. Looks at the hollows, or
+// for a new hollow at all bodies.
 void check_hollows(const World::Impl& w, const BodyDef& def) {
-  bool hollows = is_hollow(def.shape.kind());
-  for (std::uint32_t g = 0; g < w.geometry.size(); ++g) hollows |= is_hollow(w.geometry[g].kind());
-  if (!hollows) return;
-  for (std::uint32_t i = 0; i < w.bodies.size(); ++i) {
-    if (!w.bodies.slots.used(i)) continue;
+  const auto check = [&](std::uint32_t i) {
     const ShapeKind mine = def.shape.kind(), other = w.geometry_of(i).kind;
     const bool strange = (is_hollow(mine) && other != ShapeKind::sphere) || (is_hollow(other) && mine != ShapeKind::sphere);
     const bool one_moves = def.motion == Motion::dynamic || w.bodies.dynamic(i);
@@ -38,7 +35,18 @@ void check_hollows(const World::Impl& w, const BodyDef& def) {
       throw Error("shape", "would meet a hollow, or is one that would meet a body, and only spheres collide with "
                            "hollows: let the filters keep the two apart");
     }
+  };
+  if (!is_hollow(def.shape.kind())) {
+    for (const std::uint32_t i : w.hollows) check(i);
+    return;
   }
+  for (std::uint32_t i = 0; i < w.bodies.size(); ++i) {
+    if (w.bodies.slots.used(i)) check(i);
+  }
+}
+
+void insert(std::vector<std::uint32_t>& ascending, std::uint32_t i) {
+  ascending.insert(std::ranges::lower_bound(ascending, i), i);
 }
 
 }
@@ -48,8 +56,13 @@ Body World::Impl::perform(const AddBody& op) {
   check_body(op.def);
   check_hollows(*this, op.def);
   const std::uint32_t i = bodies.add(op.def, geometry.number_of(op.def.shape));
-  if (i >= body_names.size()) body_names.resize(i + 1), proxies.resize(i + 1);
+  if (i == body_names.size()) {
+    body_names.emplace_back(), proxies.emplace_back(), shape_poses.emplace_back(), geometries.emplace_back();
+  }
+  geometries[i] = &geometry_of(i);
   body_names[i] = op.def.name;
+  if (!op.def.name.empty()) insert(named[op.def.name], i);
+  if (is_hollow(op.def.shape.kind())) insert(hollows, i);
   proxies[i] = {};
   if (is_half_space(i)) {
     const Pose pose = bodies.shape_pose(i);
@@ -57,6 +70,7 @@ Body World::Impl::perform(const AddBody& op) {
     planes.insert(at, {i, rotate(pose.q, Vec3{0, 1, 0}), pose.p});
   }
   touch_proxy(i, true);
+  if (bodies.moves(i)) enlist(i);
   wake_around(i);
   return bodies.slots.handle<BodyTag>(i);
 }
@@ -65,9 +79,10 @@ void World::Impl::perform(const RemoveBody& op) {
   require(op.body, "body");
   const std::uint32_t i = op.body.index;
   wake_island(i);
-  for (std::uint32_t j = 0; j < joints.size(); ++j) {
-    if (joints.slots.used(j) && joints.touches(j, i)) perform(RemoveJoint{joints.slots.handle<JointTag>(j)});
-  }
+  std::vector<std::uint32_t> hanging;
+  joint_graph.each_joint(i, [&](std::uint32_t j) { hanging.push_back(j); });
+  std::ranges::sort(hanging);
+  for (const std::uint32_t j : hanging) perform(RemoveJoint{joints.slots.handle<JointTag>(j)});
   for (std::uint32_t f = 0; f < forces.slots.size(); ++f) {
     if (!forces.slots.used(f)) continue;
     const Body on = std::visit(
@@ -81,11 +96,16 @@ void World::Impl::perform(const RemoveBody& op) {
   for (std::uint32_t s = 0; s < sensor_slots.size(); ++s) {
     if (sensor_slots.used(s) && (sensors[s].a == op.body || sensors[s].b == op.body)) sensor_slots.give_back(s);
   }
-  drop_pairs(i);
+  for (const std::uint32_t p : pairs_of(i)) end_pair(p);
   std::erase_if(planes, [&](const PlaneProxy& p) { return p.proxy == i; });
   std::erase_if(pair_materials, [&](const PairMaterial& m) { return m.key.a == i || m.key.b == i; });
   proxies[i] = {};
   changed.push_back(i);
+  if (const auto at = named.find(body_names[i]); at != named.end()) {
+    std::erase(at->second, i);
+    if (at->second.empty()) named.erase(at);
+  }
+  std::erase(hollows, i);
   body_names[i].clear();
   bodies.remove(i);
 }
@@ -96,6 +116,7 @@ void World::Impl::perform(const Push& op) {
   const std::uint32_t i = op.body.index;
   bodies.force[i] += op.force;
   bodies.torque[i] += cross(op.at - bodies.position[i], op.force);
+  pushed.push_back(i);
   wake_island(i);
 }
 
@@ -103,6 +124,7 @@ void World::Impl::perform(const Torque& op) {
   require(op.body, "body");
   validate("", op);
   bodies.torque[op.body.index] += op.torque;
+  pushed.push_back(op.body.index);
   wake_island(op.body.index);
 }
 
@@ -111,8 +133,9 @@ void World::Impl::perform(const Place& op) {
   validate("", op);
   const std::uint32_t i = op.body.index;
   wake_island(i);
-  for (const PairRow& row : pairs) {
-    if ((row.key.a != i && row.key.b != i) || row.row == no_row) continue;
+  for (const std::uint32_t p : pairs_of(i)) {
+    const PairRow& row = pairs[p];
+    if (row.row == no_row) continue;
     contacts.impulse[row.row] = {};  // what it carried, it carried elsewhere
     wake_island(row.key.a);
     wake_island(row.key.b);
@@ -132,6 +155,7 @@ void World::Impl::perform(const SetVelocity& op) {
   if (bodies.motion[op.body.index] == Motion::fixed) throw Error("body", "is fixed: it has no velocity");
   check_spin(op.spin, bodies.inertia[op.body.index]);
   bodies.set_velocity(op.body.index, op.velocity, op.spin);
+  if (bodies.motion[op.body.index] == Motion::kinematic && bodies.moves(op.body.index)) enlist(op.body.index);
   wake_island(op.body.index);
 }
 
@@ -174,13 +198,12 @@ Joint World::Impl::perform(const AddJoint& op) {
   if (!b.null()) require(b, (kind + ".b").c_str());
   check_joint(op.def, bodies);
   const std::uint32_t j = joints.add(op.def, bodies);
-  joint_graph.add(joints, j);
+  enlist_joint(j);
   for (const Body body : {a, b}) {
     if (body.null()) continue;
     wake_island(body.index);
     changed.push_back(body.index);  // the two may have to part
   }
-  joints_changed = true;
   return joints.slots.handle<JointTag>(j);
 }
 
@@ -194,7 +217,6 @@ void World::Impl::perform(const RemoveJoint& op) {
   }
   joint_graph.remove(j);
   joints.remove(j);
-  joints_changed = true;
 }
 
 void World::Impl::perform(const SetDrive& op) {

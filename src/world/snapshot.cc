@@ -23,6 +23,27 @@ void read_proxies(Reader& r, const Bodies& bodies, std::vector<Proxy>& proxies) 
 
 }
 
+// Rows lie in the table as history left them; in a snapshot they lie by key.
+namespace {
+void write_pairs(Writer& w, const PairTable& pairs) {
+  const std::vector<std::uint32_t> all = pairs.sorted();
+  w.value(std::uint64_t(all.size()));
+  for (const std::uint32_t p : all) w.raw(&pairs[p], sizeof(PairRow));
+}
+void read_pairs(Reader& r, PairTable& pairs) {
+  std::vector<PairRow> rows;
+  r.array(rows);
+  pairs.clear();
+  const ProxyPair* before = nullptr;
+  for (const PairRow& row : rows) {
+    if (row.key.a >= row.key.b || (before != nullptr && !(*before < row.key)))
+      throw Error("data", "holds a contact of bodies that it does not hold");
+    before = &row.key;
+    pairs[pairs.add(row.key)] = row;
+  }
+}
+}
+
 void World::Impl::write_state(Writer& w) const {
   write(w, config);
   write(w, bodies);
@@ -34,7 +55,7 @@ void World::Impl::write_state(Writer& w) const {
   write(w, sensor_slots);
   for (const Sensor& s : sensors) write(w, s);
   w.array(sensor_memory);
-  w.array(pairs);
+  write_pairs(w, pairs);
   write_proxies(w, proxies);
   w.value(steps), w.value(clock_start), w.value(clock_step), w.value(clock_steps);
 }
@@ -52,7 +73,7 @@ void World::Impl::read_state(Reader& r) {
   sensors.resize(sensor_slots.size());
   for (Sensor& s : sensors) read(r, s);
   r.array(sensor_memory);
-  r.array(pairs);
+  read_pairs(r, pairs);
   read_proxies(r, bodies, proxies);
   steps = r.value<std::int64_t>(), clock_start = r.value<double>(), clock_step = r.value<double>();
   clock_steps = r.value<std::int64_t>();
@@ -97,13 +118,10 @@ void check_pair_materials(const World::Impl& w) {
 
 void check_pairs(const World::Impl& w) {
   std::vector<std::uint8_t> taken(w.contacts.slots.size(), 0);
-  const ProxyPair* before = nullptr;
-  for (const PairRow& row : w.pairs) {
+  for (const std::uint32_t p : w.pairs.sorted()) {
+    const PairRow& row = w.pairs[p];
     const auto [a, b] = row.key;
-    if (a >= b || !w.bodies.slots.used(a) || !w.bodies.slots.used(b) || (before != nullptr && !(*before < row.key))) {
-      bad("holds a contact of bodies that it does not hold");
-    }
-    before = &row.key;
+    if (!w.bodies.slots.used(a) || !w.bodies.slots.used(b)) bad("holds a contact of bodies that it does not hold");
     const bool touching = (row.manifold.bits & Manifold::touching) != 0;
     if (row.manifold.count < 0 || row.manifold.count > 4 || touching != (row.row != no_row))
       bad("holds a broken contact");

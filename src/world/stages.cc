@@ -24,25 +24,44 @@ bool carries(const Bodies& b, std::uint32_t i) {
 
 // Wakes the sleeping side of a touching pair whose other side moves. What a kinematic body or a surface carries does not
 // even grow quiet, however slow the journey.
-bool wake_sides(World::Impl& w, const ProxyPair& p) {
+void wake_sides(World::Impl& w, const ProxyPair& p) {
   const Bodies& b = w.bodies;
   const bool driven = b.surface_velocity[p.a] != Vec3{} || b.surface_velocity[p.b] != Vec3{};
-  bool woke = false;
   for (const auto& [side, other] : {p, ProxyPair{p.b, p.a}}) {
     if (b.asleep[side] != 0 ? !b.moves(other) : !driven && !carries(b, other)) continue;
-    woke |= b.asleep[side] != 0;
     w.wake_island(side);
   }
-  return woke;
 }
 
 // The same along joints.
 void wake_carried(World::Impl& w) {
-  for (std::uint32_t j = 0; j < w.joints.size(); ++j) {
-    if (!w.joints.slots.used(j)) continue;
-    const std::uint32_t a = w.joints.a[j], b = w.joints.b[j];
-    if (carries(w.bodies, a) && b != no_body) w.wake_island(b);
-    if (carries(w.bodies, b) && a != no_body) w.wake_island(a);
+  for (const std::uint32_t carrier : w.kinematic) {
+    w.joint_graph.each_joint(carrier, [&](std::uint32_t j) {
+      const std::uint32_t other = w.joints.a[j] == carrier ? w.joints.b[j] : w.joints.a[j];
+      if (other != no_body) w.wake_island(other);
+    });
+  }
+}
+
+// Pairs whose boxes part, or whose bodies a joint forbids to touch, in the order of keys.
+void end_pairs(World::Impl& w) {
+  std::vector<std::uint32_t> ended;
+  for (const std::uint32_t i : w.changed) {
+    w.pairs.each(i, [&](std::uint32_t p) {
+      if (!goes_on(w.pairs[p].key, w.proxies, w.planes)) ended.push_back(p);
+    });
+  }
+  for (const ProxyPair& key : w.parted) {
+    const std::uint32_t p = w.pairs.find(key);
+    if (p != PairTable::none && w.forbidden(key)) ended.push_back(p);
+  }
+  w.parted.clear();
+  std::ranges::sort(ended, {}, [&](std::uint32_t p) { return w.pairs[p].key; });
+  ended.erase(std::unique(ended.begin(), ended.end()), ended.end());
+  for (const std::uint32_t p : ended) {
+    const PairRow& row = w.pairs[p];
+    if (row.row != no_row) w.events.ended.push_back({handle(w, row.key.a), handle(w, row.key.b)});
+    w.end_pair(p);
   }
 }
 
@@ -52,54 +71,35 @@ void find_pairs(World::Impl& w) {
   std::sort(w.changed.begin(), w.changed.end());
   w.changed.erase(std::unique(w.changed.begin(), w.changed.end()), w.changed.end());
   if (w.changed.empty()) return;
-  const bool joints_changed = std::exchange(w.joints_changed, false);
-  if (joints_changed) w.list_never_touch();
-  std::vector<ProxyPair> found, with_planes;
+  std::vector<ProxyPair> found;
   w.broad->update(w.proxies, w.changed, found);
-  find_plane_pairs(w.planes, w.proxies, w.changed, with_planes);
-  found.insert(found.end(), with_planes.begin(), with_planes.end());
+  find_plane_pairs(w.planes, w.proxies, w.changed, found);
   std::sort(found.begin(), found.end());
-  const auto forbidden = [&](const ProxyPair& p) {
-    return std::binary_search(w.never_touch.begin(), w.never_touch.end(), p);
-  };
-  std::erase_if(found, forbidden);
-  merge_pairs(w.pairs, found);
-  std::vector<EndedPair> ended;
-  end_pairs(w.pairs, w.proxies, w.planes, ended);
-  if (joints_changed) erase_pairs(w.pairs, ended, forbidden);
-  std::sort(ended.begin(), ended.end(), [](const EndedPair& p, const EndedPair& q) { return p.key < q.key; });
-  for (const EndedPair& pair : ended) {
-    w.events.ended.push_back({handle(w, pair.key.a), handle(w, pair.key.b)});
-    w.release(pair);
+  for (const ProxyPair& key : found) {
+    if (w.pairs.find(key) != PairTable::none || w.forbidden(key)) continue;
+    const std::uint32_t pair = w.pairs.add(key);
+    if (can_change(w.bodies, key)) w.pairs.activate(pair);
   }
+  end_pairs(w);
   w.changed.clear();
 }
 
 // Collides what can change; what that wakes can change too.
 void collide(World::Impl& w) {
-  wake_carried(w);
   const Bodies& b = w.bodies;
-  w.shape_poses.resize(b.size());
-  w.geometries.resize(b.size());
-  for (std::uint32_t i = 0; i < b.size(); ++i) {
-    if (b.slots.used(i)) w.shape_poses[i] = b.shape_pose(i), w.geometries[i] = &w.geometry_of(i);
-  }
+  w.kinematic = w.moving_kinematic.settle([&](std::uint32_t i) {
+    return b.slots.used(i) && b.motion[i] == Motion::kinematic && b.moves(i);
+  });
+  wake_carried(w);
   const Real margin = w.config.impulse_2007.slop * w.config.length_unit;
-  std::vector<std::uint8_t> done(w.pairs.size(), 0);
-  std::vector<std::uint32_t> round;
-  w.active_pairs.clear();
-  bool woke = true;
-  while (woke) {
-    woke = false;
-    round.clear();
-    for (std::uint32_t r = 0; r < w.pairs.size(); ++r) {
-      if (done[r] == 0 && can_change(b, w.pairs[r].key)) round.push_back(r), done[r] = 1;
+  std::vector<std::uint32_t> round = w.pairs.settle([&](const ProxyPair& key) { return can_change(b, key); });
+  while (!round.empty()) {
+    collide_pairs(w.pairs.rows(), round, w.geometries, w.shape_poses, margin);
+    for (const std::uint32_t p : round) {
+      if (touching(w.pairs[p])) wake_sides(w, w.pairs[p].key);
     }
-    collide_pairs(w.pairs, round, w.geometries, w.shape_poses, margin);
-    for (const std::uint32_t r : round) woke |= touching(w.pairs[r]) && wake_sides(w, w.pairs[r].key);
-    w.active_pairs.insert(w.active_pairs.end(), round.begin(), round.end());
+    round = w.pairs.take_activated();
   }
-  std::sort(w.active_pairs.begin(), w.active_pairs.end());
 }
 
 namespace {
@@ -107,7 +107,7 @@ namespace {
 // Begin and end bits → events and contact rows; touching pairs → islands.
 void link_contacts(World::Impl& w, std::vector<std::uint32_t>& touching_rows) {
   const Bodies& b = w.bodies;
-  for (const std::uint32_t r : w.active_pairs) {
+  for (const std::uint32_t r : w.pairs.active()) {
     PairRow& row = w.pairs[r];
     const std::uint32_t a = row.key.a, c = row.key.b;
     if ((row.manifold.bits & Manifold::began) != 0) {
@@ -133,10 +133,8 @@ std::uint32_t awake_side(const World::Impl& w, std::uint32_t j) {
   return no_body;
 }
 
-void link_joints(World::Impl& w, std::vector<std::uint32_t>& active) {
-  for (std::uint32_t j = 0; j < w.joints.size(); ++j) {
-    if (!w.joints.slots.used(j) || awake_side(w, j) == no_body) continue;
-    active.push_back(j);
+void link_joints(World::Impl& w, std::span<const std::uint32_t> active) {
+  for (const std::uint32_t j : active) {
     const std::uint32_t a = w.joints.a[j], c = w.joints.b[j];
     if (a != no_body && c != no_body && w.bodies.dynamic(a) && w.bodies.dynamic(c)) w.unions.unite(a, c);
   }
@@ -190,13 +188,11 @@ void list_smooth(World::Impl& w) {
 
 void link(World::Impl& w) {
   const Bodies& b = w.bodies;
-  std::vector<std::uint32_t> awake, touching_rows, joints;
-  w.kinematic.clear();
-  for (std::uint32_t i = 0; i < b.size(); ++i) {
-    if (!b.slots.used(i)) continue;
-    if (b.motion[i] == Motion::kinematic && b.moves(i)) w.kinematic.push_back(i);
-    if (b.awake(i)) awake.push_back(i);
-  }
+  std::vector<std::uint32_t> touching_rows;
+  const auto& awake = w.awake_bodies.settle([&](std::uint32_t i) { return b.slots.used(i) && b.awake(i); });
+  const auto& joints = w.awake_joints.settle([&](std::uint32_t j) {
+    return w.joints.slots.used(j) && awake_side(w, j) != no_body;
+  });
   w.unions.reset(b.size(), awake);
   link_contacts(w, touching_rows);
   link_joints(w, joints);
@@ -256,15 +252,17 @@ void sleep(World::Impl& w) {
   for (const Island& island : w.islands) {
     const auto bodies = island.bodies.of(std::span<const std::uint32_t>(w.awake));
     const auto contacts = island.contacts.of(std::span<const ActiveContact>(w.active_contacts));
-    const auto restless = [&](std::uint32_t i) { return b.quiet_steps[i] < enough || b.may_sleep[i] == 0; };
+    const auto restless = [&](std::uint32_t i) {
+      return b.quiet_steps[i] < enough || b.may_sleep[i] == 0 || !b.dynamic(i);
+    };
     // What slides is on its way, however slowly: 0.1 mm/s is movement where friction has given in.
     const auto slides = [&](const ActiveContact& c) {
       const Real slip = max(length_squared(b.velocity[c.a]), length_squared(b.velocity[c.b]));
       return w.contacts.slipping[c.slot] != 0 && slip > Real(1e-3) * limit;
     };
     if (!island.linked || std::ranges::any_of(bodies, restless) || std::ranges::any_of(contacts, slides)) continue;
+    w.sleepers.add(bodies);
     for (const std::uint32_t i : bodies) {
-      if (!b.dynamic(i)) continue;
       b.asleep[i] = 1;
       b.sleep_island[i] = bodies.front();
       b.velocity[i] = b.spin[i] = b.angular_momentum[i] = {};
@@ -318,7 +316,8 @@ void World::Impl::step(double dt) {
       if (recording && n == config.substeps - 1) stage_hashes.push_back(hash());
     }
   }
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) bodies.force[i] = bodies.torque[i] = {};
+  for (const std::uint32_t i : pushed) bodies.force[i] = bodies.torque[i] = {};
+  pushed.clear();
   sense(*this, simulated);
   if (simulated != clock_step) clock_start = time(), clock_steps = 0, clock_step = simulated;
   ++clock_steps;

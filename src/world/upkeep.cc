@@ -1,4 +1,6 @@
 // What several operations and stages need: boxes, sleep, pairs, and all that is a function of the state.
+#include <algorithm>
+
 #include "world/impl.h"
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -15,10 +17,10 @@ void World::Impl::touch_proxy(std::uint32_t i, bool force) {
   proxy.filter = bodies.filter[i];
   proxy.fixed = bodies.motion[i] == Motion::fixed;
   proxy.present = bodies.slots.used(i) && bodies.quarantined[i] == 0 && !is_half_space(i);
+  const Pose pose = shape_poses[i] = bodies.shape_pose(i);
   if (proxy.present) {
     // The box holds the margin within which contacts are made, and room to move before it must be renewed.
     const Real unit = config.length_unit, contact_margin = config.impulse_2007.slop * unit;
-    const Pose pose = bodies.shape_pose(i);
     if (!force && contains(proxy.box, bounds(geometry_of(i), pose, contact_margin))) return;
     const Real room = min(Real(0.125) * bodies.radius[i], Real(0.05) * unit);
     proxy.box = bounds(geometry_of(i), pose, contact_margin + room);
@@ -26,77 +28,124 @@ void World::Impl::touch_proxy(std::uint32_t i, bool force) {
   changed.push_back(i);
 }
 
+void World::Impl::enlist(std::uint32_t i) {
+  if (bodies.motion[i] == Motion::kinematic) moving_kinematic.add(i);
+  else if (bodies.motion[i] == Motion::dynamic) awake_bodies.add(i);
+  else return;
+  pairs.each(i, [&](std::uint32_t p) { pairs.activate(p); });
+  joint_graph.each_joint(i, [&](std::uint32_t j) { awake_joints.add(j); });
+}
+
+void World::Impl::enlist_joint(std::uint32_t j) {
+  joint_graph.add(joints, j);
+  awake_joints.add(j);
+  const std::uint32_t a = joints.a[j], b = joints.b[j];
+  if (a != no_body && b != no_body && !may_collide(joints.definition[j])) parted.push_back({min(a, b), max(a, b)});
+}
+
 void World::Impl::wake_island(std::uint32_t i) {
   if (bodies.asleep[i] == 0) {
     bodies.quiet_steps[i] = 0;
     return;
   }
-  const std::uint32_t island = bodies.sleep_island[i];
-  for (std::uint32_t k = 0; k < bodies.size(); ++k) {
-    if (!bodies.slots.used(k) || bodies.asleep[k] == 0 || bodies.sleep_island[k] != island) continue;
+  sleepers.each_with(i, [&](std::uint32_t k) {
     bodies.asleep[k] = 0;
     bodies.quiet_steps[k] = 0;
-  }
+    enlist(k);
+  });
 }
 
 // A body that does not move wakes nobody by moving. (A dynamic one is awake, and meets whom it meets.)
 void World::Impl::wake_around(std::uint32_t i) {
   if (bodies.dynamic(i)) return;
+  const auto asleep = [&](std::uint32_t k) { return bodies.asleep[k] != 0; };
   const auto plane = std::find_if(planes.begin(), planes.end(), [&](const PlaneProxy& p) { return p.proxy == i; });
-  for (std::uint32_t k = 0; k < bodies.size(); ++k) {
-    if (!bodies.slots.used(k) || bodies.asleep[k] == 0) continue;
-    if (plane != planes.end() ? may_pair(*plane, proxies[i], proxies[k]) : may_pair(proxies[i], proxies[k]))
-      wake_island(k);
+  if (sleepers.none()) {
+  } else if (plane == planes.end()) {
+    std::vector<std::uint32_t> near;
+    broad->search(proxies, proxies[i].box, near);
+    for (const std::uint32_t k : near) {
+      if (asleep(k) && may_pair(proxies[i], proxies[k])) wake_island(k);
+    }
+  } else {
+    for (const std::uint32_t one : sleepers.one_of_each(asleep)) {
+      bool meets = false;
+      sleepers.each_with(one, [&](std::uint32_t k) { meets |= may_pair(*plane, proxies[i], proxies[k]); });
+      if (meets) wake_island(one);
+    }
   }
-  for (std::uint32_t j = 0; j < joints.size(); ++j) {
-    if (!joints.slots.used(j) || !joints.touches(j, i)) continue;
+  joint_graph.each_joint(i, [&](std::uint32_t j) {
     const std::uint32_t other = joints.a[j] == i ? joints.b[j] : joints.a[j];
     if (other != no_body) wake_island(other);
-  }
+  });
 }
 
-void World::Impl::drop_pairs(std::uint32_t i) {
-  std::vector<EndedPair> lost;
-  erase_pairs(pairs, lost, [&](const ProxyPair& p) { return p.a == i || p.b == i; });
-  for (const EndedPair& pair : lost) release(pair);
+std::vector<std::uint32_t> World::Impl::pairs_of(std::uint32_t body) const {
+  std::vector<std::uint32_t> own;
+  pairs.each(body, [&](std::uint32_t p) { own.push_back(p); });
+  std::ranges::sort(own, {}, [&](std::uint32_t p) { return pairs[p].key; });
+  return own;
 }
 
-void World::Impl::release(const EndedPair& pair) {
-  contacts.remove(pair.row);
-  wake_island(pair.key.a);
-  wake_island(pair.key.b);
+void World::Impl::end_pair(std::uint32_t pair) {
+  const PairRow row = pairs[pair];
+  pairs.remove(pair);
+  if (row.row == no_row) return;
+  contacts.remove(row.row);
+  wake_island(row.key.a);
+  wake_island(row.key.b);
 }
 
 void World::Impl::wake_all() {
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    if (bodies.slots.used(i)) bodies.asleep[i] = 0, bodies.quiet_steps[i] = 0;
-  }
+  for (const std::uint32_t i : awake_bodies.settle([&](std::uint32_t k) { return bodies.slots.used(k); }))
+    bodies.quiet_steps[i] = 0;
+  for (const std::uint32_t i : sleepers.one_of_each([&](std::uint32_t k) { return bodies.asleep[k] != 0; }))
+    wake_island(i);
 }
 
-void World::Impl::list_never_touch() {
-  never_touch.clear();
-  for (std::uint32_t j = 0; j < joints.size(); ++j) {
-    if (!joints.slots.used(j) || may_collide(joints.definition[j])) continue;
-    if (joints.a[j] == no_body || joints.b[j] == no_body) continue;
-    never_touch.push_back({min(joints.a[j], joints.b[j]), max(joints.a[j], joints.b[j])});
-  }
-  std::sort(never_touch.begin(), never_touch.end());
+bool World::Impl::forbidden(const ProxyPair& key) const {
+  const bool a_has_fewer = joint_graph.count(key.a) < joint_graph.count(key.b);
+  const std::uint32_t one = a_has_fewer ? key.a : key.b, other = a_has_fewer ? key.b : key.a;
+  bool found = false;
+  joint_graph.each_joint(one, [&](std::uint32_t j) {
+    found |= joints.touches(j, other) && !may_collide(joints.definition[j]);
+  });
+  return found;
 }
 
 void World::Impl::rebuild() {
-  broad = make_broad_phase(config.broad);
   h = clock_step / config.substeps;
-  planes.clear();
+  planes.clear(), parted.clear(), named.clear(), hollows.clear(), pushed.clear();
+  awake_bodies.clear(), moving_kinematic.clear(), awake_joints.clear(), sleepers.clear();
   changed.clear();
-  joints_changed = true;
-  joint_graph.rebuild(joints);
+  shape_poses.resize(bodies.size()), geometries.resize(bodies.size());
+  joint_graph = {};
+  for (std::uint32_t j = 0; j < joints.size(); ++j) {
+    if (joints.slots.used(j)) enlist_joint(j);
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> asleep;  // island, body
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (!bodies.slots.used(i)) continue;
     changed.push_back(i);
-    if (!is_half_space(i)) continue;
-    const Pose pose = bodies.shape_pose(i);
-    planes.push_back({i, rotate(pose.q, Vec3{0, 1, 0}), pose.p});
+    shape_poses[i] = bodies.shape_pose(i), geometries[i] = &geometry_of(i);
+    if (!body_names[i].empty()) named[body_names[i]].push_back(i);
+    if (is_hollow(geometries[i]->kind)) hollows.push_back(i);
+    if (bodies.force[i] != Vec3{} || bodies.torque[i] != Vec3{}) pushed.push_back(i);
+    if (bodies.asleep[i] != 0) asleep.emplace_back(bodies.sleep_island[i], i);
+    else if (bodies.moves(i)) enlist(i);
+    if (is_half_space(i)) planes.push_back({i, rotate(shape_poses[i].q, Vec3{0, 1, 0}), shape_poses[i].p});
   }
+  std::sort(asleep.begin(), asleep.end());
+  for (std::size_t k = 0; k < asleep.size();) {
+    std::vector<std::uint32_t> island;
+    const std::uint32_t number = asleep[k].first;
+    while (k < asleep.size() && asleep[k].first == number) island.push_back(asleep[k++].second);
+    sleepers.add(island);
+  }
+  // It finds all pairs again in the next step; until then it can be asked who is where.
+  broad = make_broad_phase(config.broad);
+  std::vector<ProxyPair> known;
+  broad->update(proxies, changed, known);
 }
 
 }

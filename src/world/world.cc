@@ -82,11 +82,9 @@ std::vector<ForceId> World::forces() const { return all<ForceTag>(impl_->forces.
 std::vector<SensorId> World::sensors() const { return all<SensorTag>(impl_->sensor_slots); }
 
 Body World::find(std::string_view name) const {
-  if (name.empty()) return {};
-  for (const Body b : bodies()) {
-    if (impl_->body_names[b.index] == name) return b;
-  }
-  return {};
+  const Impl& w = *impl_;
+  const auto at = w.named.find(std::string(name));
+  return at == w.named.end() ? Body{} : w.bodies.slots.handle<BodyTag>(at->second.front());
 }
 
 BodyView World::operator[](Body b) const {
@@ -188,7 +186,8 @@ bool slides(const World& w, const Contact& c) {
 std::vector<Contact> World::contacts() const {
   const Impl& w = *impl_;
   std::vector<Contact> contacts;
-  for (const PairRow& row : w.pairs) {
+  for (const std::uint32_t pair : w.pairs.sorted()) {
+    const PairRow& row = w.pairs[pair];
     if (row.row == no_row) continue;
     const std::uint32_t a = row.key.a, b = row.key.b;
     const Material material = w.pair_material(row.key);
@@ -219,9 +218,8 @@ bool World::touching(Body a, Body b) const {
   impl_->require(a, "a");
   impl_->require(b, "b");
   const ProxyPair key{min(a.index, b.index), max(a.index, b.index)};
-  const auto at = std::lower_bound(impl_->pairs.begin(), impl_->pairs.end(), key,
-                                   [](const PairRow& row, const ProxyPair& k) { return row.key < k; });
-  return at != impl_->pairs.end() && at->key == key && at->row != no_row;
+  const std::uint32_t pair = impl_->pairs.find(key);
+  return pair != PairTable::none && impl_->pairs[pair].row != no_row;
 }
 
 std::optional<RayHit> World::ray_cast(const Pos& from, const Vec3& direction, Real reach) const {
@@ -271,7 +269,8 @@ std::vector<std::uint32_t> World::islands() const {
   const auto unite = [&](std::uint32_t a, std::uint32_t b) {
     if (a != no_body && b != no_body && w.bodies.dynamic(a) && w.bodies.dynamic(b)) islands.unite(a, b);
   };
-  for (const PairRow& row : w.pairs) {
+  for (const std::uint32_t pair : w.pairs.sorted()) {
+    const PairRow& row = w.pairs[pair];
     if (row.row != no_row) unite(row.key.a, row.key.b);
   }
   for (const Joint j : joints()) unite(w.joints.a[j.index], w.joints.b[j.index]);
@@ -304,7 +303,8 @@ Quality World::quality() const {
   Quality q;
   Real sum = 0;
   int points = 0;
-  for (const PairRow& row : impl_->pairs) {
+  for (const std::uint32_t pair : impl_->pairs.sorted()) {
+    const PairRow& row = impl_->pairs[pair];
     if (row.row == no_row) continue;
     for (std::size_t k = 0; k < std::size_t(row.manifold.count); ++k) {
       const Real depth = max(Real(0), -row.manifold.points[k].separation);

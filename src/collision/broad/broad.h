@@ -39,6 +39,13 @@ class BroadPhase {
   // both fixed.
   virtual void update(std::span<const Proxy> proxies, std::span<const std::uint32_t> changed,
                       std::vector<ProxyPair>& out) = 0;
+  // Appends the proxies whose boxes, as they were at the last update, overlap the box; others do no harm, each once. In
+  // no particular order.
+  virtual void search(std::span<const Proxy> proxies, const Box& box, std::vector<std::uint32_t>& out) const {
+    for (std::uint32_t i = 0; i < proxies.size(); ++i) {
+      if (proxies[i].present && overlap(proxies[i].box, box)) out.push_back(i);
+    }
+  }
   // For pictures: appends the boxes that the inner structure is made of (cells with members, inner nodes), if it is of
   // boxes.
   virtual void inner_boxes(std::vector<Box>&) const {}

@@ -161,7 +161,8 @@ void Grid::update(std::span<const Proxy> proxies, std::span<const std::uint32_t>
   places_.resize(max(places_.size(), proxies.size()));
   members_.resize(std::size_t(coarsest_level - finest_level + 1), 0);
   for (const std::uint32_t i : changed) follow(i, proxies[i]);
-  search_pairs(proxies, changed, out, [&](std::uint32_t i, auto visit) { search(i, proxies[i].box, visit); });
+  std::vector<std::uint8_t> marks;
+  search_pairs(proxies, changed, marks, out, [&](std::uint32_t i, auto visit) { search(i, proxies[i].box, visit); });
 }
 
 void Grid::inner_boxes(std::vector<Box>& out) const {

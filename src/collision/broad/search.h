@@ -7,20 +7,14 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-// 1 for each of `size` proxies that is in `changed`.
-inline std::vector<std::uint8_t> mark(std::size_t size, std::span<const std::uint32_t> changed) {
-  std::vector<std::uint8_t> marks(size, 0);
-  for (const std::uint32_t i : changed) marks[i] = 1;
-  return marks;
-}
-
 // Does what BroadPhase::update promises. `around(i, visit)` calls visit(j) once for every proxy j whose box might
-// overlap that of i; others, and i itself, do no harm.
+// overlap that of i; others, and i itself, do no harm. `marks`: memory, all 0 between calls.
 template <class Around>
-void search_pairs(std::span<const Proxy> proxies, std::span<const std::uint32_t> changed, std::vector<ProxyPair>& out,
-                  Around around) {
+void search_pairs(std::span<const Proxy> proxies, std::span<const std::uint32_t> changed,
+                  std::vector<std::uint8_t>& marks, std::vector<ProxyPair>& out, Around around) {
   const auto first = std::ptrdiff_t(out.size());
-  const std::vector<std::uint8_t> marks = mark(proxies.size(), changed);
+  if (marks.size() < proxies.size()) marks.resize(proxies.size());
+  for (const std::uint32_t i : changed) marks[i] = 1;
   for (const std::uint32_t i : changed) {
     const Proxy& proxy = proxies[i];
     if (!proxy.present) continue;
@@ -30,6 +24,7 @@ void search_pairs(std::span<const Proxy> proxies, std::span<const std::uint32_t>
       out.push_back({std::min(i, j), std::max(i, j)});
     });
   }
+  for (const std::uint32_t i : changed) marks[i] = 0;
   std::sort(out.begin() + first, out.end());
 }
 

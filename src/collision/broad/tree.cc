@@ -21,10 +21,14 @@ void Tree::update(std::span<const Proxy> proxies, std::span<const std::uint32_t>
   places_.resize(max(places_.size(), proxies.size()));
   for (const std::uint32_t i : changed) follow(i, proxies[i]);
   for (BoxTree& tree : trees_) tree.settle();
-  search_pairs(proxies, changed, out, [&](std::uint32_t i, auto visit) {
+  search_pairs(proxies, changed, marks_, out, [&](std::uint32_t i, auto visit) {
     trees_[0].search(proxies[i].box, visit);
     if (!proxies[i].fixed) trees_[1].search(proxies[i].box, visit);
   });
+}
+
+void Tree::search(std::span<const Proxy>, const Box& box, std::vector<std::uint32_t>& out) const {
+  for (const BoxTree& tree : trees_) tree.search(box, [&](std::uint32_t i) { out.push_back(i); });
 }
 
 void Tree::inner_boxes(std::vector<Box>& out) const {

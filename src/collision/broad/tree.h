@@ -19,6 +19,7 @@ class Tree final : public BroadPhase {
  public:
   void update(std::span<const Proxy> proxies, std::span<const std::uint32_t> changed,
               std::vector<ProxyPair>& out) override;
+  void search(std::span<const Proxy> proxies, const Box& box, std::vector<std::uint32_t>& out) const override;
   void inner_boxes(std::vector<Box>& out) const override;
 
  private:
@@ -30,6 +31,7 @@ class Tree final : public BroadPhase {
 
   std::array<BoxTree, 2> trees_;  // of what moves, of what is fixed
   std::vector<Place> places_;     // by proxy
+  std::vector<std::uint8_t> marks_;
 };
 
 }

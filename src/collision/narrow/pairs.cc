@@ -42,18 +42,73 @@ void collide_placed(const Geometry& ga, const Pose& a, const Geometry& gb, const
   }
 }
 
-void merge_pairs(std::vector<PairRow>& rows, std::span<const ProxyPair> found) {
-  const auto by_key = [](const PairRow& a, const PairRow& b) { return a.key < b.key; };
-  const std::size_t old = rows.size();
-  std::size_t at = 0;
-  for (const ProxyPair& key : found) {
-    while (at < old && rows[at].key < key) ++at;
-    if (at < old && rows[at].key == key) continue;
-    PairRow row{};
-    row.key = key;
-    rows.push_back(row);
+std::uint32_t PairTable::find(const ProxyPair& key) const {
+  const std::uint32_t fewer = links_.count(key.a) < links_.count(key.b) ? key.a : key.b;
+  std::uint32_t found = none;
+  links_.each(fewer, [&](std::uint32_t p) {
+    if (rows_[p].key == key) found = p;
+  });
+  return found;
+}
+
+std::uint32_t PairTable::add(const ProxyPair& key) {
+  std::uint32_t pair = std::uint32_t(rows_.size());
+  if (free_.empty()) {
+    rows_.emplace_back(), is_active_.push_back(0);
+  } else {
+    pair = free_.back();
+    free_.pop_back();
+    rows_[pair] = PairRow{};
   }
-  std::inplace_merge(rows.begin(), rows.begin() + std::ptrdiff_t(old), rows.end(), by_key);
+  rows_[pair].key = key;
+  links_.add(pair, key.a, key.b);
+  return pair;
+}
+
+void PairTable::remove(std::uint32_t pair) {
+  links_.remove(pair);
+  rows_[pair].key = {none, none};
+  removed_.push_back(pair);
+}
+
+void PairTable::clear() { *this = {}; }
+
+std::vector<std::uint32_t> PairTable::sorted() const {
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t p = 0; p < rows_.size(); ++p) {
+    if (alive(p)) all.push_back(p);
+  }
+  std::ranges::sort(all, [&](std::uint32_t p, std::uint32_t q) { return before(p, q); });
+  return all;
+}
+
+void PairTable::activate(std::uint32_t pair) {
+  if (is_active_[pair] != 0) return;
+  is_active_[pair] = 1;
+  activated_.push_back(pair);
+}
+
+std::vector<std::uint32_t> PairTable::take_activated() {
+  std::vector<std::uint32_t> taken = activated_;
+  std::erase_if(taken, [&](std::uint32_t p) { return !alive(p); });
+  std::ranges::sort(taken, [&](std::uint32_t p, std::uint32_t q) { return before(p, q); });
+  merge();
+  return taken;
+}
+
+// Removed pairs sort last, and the next settle() drops them.
+void PairTable::merge() {
+  const auto by_key = [&](std::uint32_t p, std::uint32_t q) { return before(p, q); };
+  std::erase_if(active_, [&](std::uint32_t p) {
+    if (alive(p)) return false;
+    is_active_[p] = 0;
+    return true;
+  });
+  std::ranges::sort(activated_, by_key);
+  const auto middle = std::ptrdiff_t(active_.size());
+  active_.insert(active_.end(), activated_.begin(), activated_.end());
+  std::inplace_merge(active_.begin(), active_.begin() + middle, active_.end(), by_key);
+  activated_.clear();
 }
 
 bool may_pair(const PlaneProxy& plane, const Proxy& plane_proxy, const Proxy& other) {
@@ -83,13 +138,10 @@ void find_plane_pairs(std::span<const PlaneProxy> planes, std::span<const Proxy>
   std::sort(out.begin() + first, out.end());
 }
 
-void end_pairs(std::vector<PairRow>& rows, std::span<const Proxy> proxies, std::span<const PlaneProxy> planes,
-               std::vector<EndedPair>& ended) {
-  erase_pairs(rows, ended, [&](const ProxyPair& key) {
-    if (const PlaneProxy* p = find(planes, key.a)) return !may_pair(*p, proxies[key.a], proxies[key.b]);
-    if (const PlaneProxy* p = find(planes, key.b)) return !may_pair(*p, proxies[key.b], proxies[key.a]);
-    return !may_pair(proxies[key.a], proxies[key.b]);
-  });
+bool goes_on(const ProxyPair& key, std::span<const Proxy> proxies, std::span<const PlaneProxy> planes) {
+  if (const PlaneProxy* p = find(planes, key.a)) return may_pair(*p, proxies[key.a], proxies[key.b]);
+  if (const PlaneProxy* p = find(planes, key.b)) return may_pair(*p, proxies[key.b], proxies[key.a]);
+  return may_pair(proxies[key.a], proxies[key.b]);
 }
 
 void collide_pairs(std::span<PairRow> rows, std::span<const std::uint32_t> which,

@@ -1,12 +1,15 @@
-// The pair table: one row for each pair of shapes whose fat boxes overlap, sorted by key. It keeps what a pair must
-// remember from step to step; whoever solves contacts hangs its own data on `row`.
+// The pair table: one row for each pair of shapes whose fat boxes overlap. It keeps what a pair must remember from step
+// to step; whoever solves contacts hangs its own data on `row`.
 //
-// A step goes: merge_pairs (what the broad phase and find_plane_pairs found) → end_pairs → collide_pairs → the owner
-// walks the rows in order and looks at the manifolds' bits. The table is a plain vector, saved and hashed as bytes.
+// A row stays where it is as long as the pair lives, and hangs on both its proxies, so nothing ever looks through all
+// rows: pairs begin where the broad phase and find_plane_pairs found them, end where one of their proxies changed, and
+// only the active ones, those that can change, are collided. In what order rows lie depends on history; whatever can
+// change a bit is done in the order of keys.
 #pragma once
 
 #include <algorithm>
 
+#include "base/links.h"
 #include "collision/broad/broad.h"
 #include "collision/narrow/collide.h"
 
@@ -29,25 +32,58 @@ struct PlaneProxy {
   Pos point;    // on the surface
 };
 
-// A pair that is gone although its row had something of the owner.
-struct EndedPair {
-  ProxyPair key;
-  std::uint32_t row;
+class PairTable {
+ public:
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  std::uint32_t find(const ProxyPair&) const;  // none: there is no such pair
+  std::uint32_t add(const ProxyPair&);         // there is none yet
+  // Its number is not used again before the next settle().
+  void remove(std::uint32_t pair);
+  void clear();
+
+  PairRow& operator[](std::uint32_t pair) { return rows_[pair]; }
+  const PairRow& operator[](std::uint32_t pair) const { return rows_[pair]; }
+  std::span<PairRow> rows() { return rows_; }  // by number; some are not in use
+  // All pairs, by key: for saving and looking.
+  std::vector<std::uint32_t> sorted() const;
+  // visit(pair) for each pair of the proxy; it may be removed.
+  template <class Visit>
+  void each(std::uint32_t proxy, Visit visit) const {
+    links_.each(proxy, visit);
+  }
+
+  // From now on it can change.
+  void activate(std::uint32_t pair);
+  // Active pairs by key, without those that can_change(key) refuses.
+  template <class CanChange>
+  const std::vector<std::uint32_t>& settle(CanChange can_change) {
+    merge();
+    std::erase_if(active_, [&](std::uint32_t p) {
+      if (alive(p) && can_change(rows_[p].key)) return false;
+      is_active_[p] = 0;
+      return true;
+    });
+    for (const std::uint32_t p : removed_) free_.push_back(p);
+    removed_.clear();
+    return active_;
+  }
+  // Those that were activated since, by key; and everything active.
+  std::vector<std::uint32_t> take_activated();
+  const std::vector<std::uint32_t>& active() const { return active_; }
+
+ private:
+  bool alive(std::uint32_t pair) const { return rows_[pair].key.a != none; }
+  bool before(std::uint32_t p, std::uint32_t q) const { return rows_[p].key < rows_[q].key; }
+  void merge();
+
+  std::vector<PairRow> rows_;
+  std::vector<std::uint8_t> is_active_;
+  std::vector<std::uint32_t> free_, removed_;
+  std::vector<std::uint32_t> active_;     // by key
+  std::vector<std::uint32_t> activated_;  // not among them yet
+  Links links_;                           // by proxy
 };
-
-// Adds a row for each pair that has none. `found` is sorted.
-void merge_pairs(std::vector<PairRow>& rows, std::span<const ProxyPair> found);
-
-// Erases the rows whose key `gone` accepts; appends those with an owner's row to `ended`, in key order.
-template <class Gone>
-void erase_pairs(std::vector<PairRow>& rows, std::vector<EndedPair>& ended, Gone gone) {
-  const auto kept = std::remove_if(rows.begin(), rows.end(), [&](const PairRow& r) {
-    if (!gone(r.key)) return false;
-    if (r.row != no_row) ended.push_back({r.key, r.row});
-    return true;
-  });
-  rows.erase(kept, rows.end());
-}
 
 // Whether a half space pairs with a proxy: filters, and the box reaches below its surface (touching counts). The boxes
 // are fat, so that the collision margin is in them.
@@ -58,9 +94,8 @@ bool may_pair(const PlaneProxy& plane, const Proxy& plane_proxy, const Proxy& ot
 void find_plane_pairs(std::span<const PlaneProxy> planes, std::span<const Proxy> proxies,
                       std::span<const std::uint32_t> changed, std::vector<ProxyPair>& out);
 
-// Erases the rows that would not begin now: the same tests as in the broad phase and find_plane_pairs.
-void end_pairs(std::vector<PairRow>& rows, std::span<const Proxy> proxies, std::span<const PlaneProxy> planes,
-               std::vector<EndedPair>& ended);
+// Whether the pair would begin now: the same tests as in the broad phase and find_plane_pairs.
+bool goes_on(const ProxyPair&, std::span<const Proxy> proxies, std::span<const PlaneProxy> planes);
 
 // Two bodies' shapes where they are: points relative to a's position, world axes.
 void collide_placed(const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Real margin,

@@ -22,7 +22,7 @@ struct Model {
   std::vector<Pose> pose;
   std::vector<PlaneProxy> planes;
   std::vector<std::uint32_t> changed;
-  std::vector<PairRow> rows;
+  PairTable table;
   std::unique_ptr<BroadPhase> broad = make_broad_phase(Broad::brute);
 
   void put(std::uint32_t i, const Pose& at) {
@@ -79,19 +79,29 @@ struct Model {
     return keys;
   }
 
-  std::vector<EndedPair> update() {
-    std::vector<EndedPair> ended;
+  // The rows of pairs that are gone, by key.
+  std::vector<PairRow> update() {
     std::ranges::sort(changed);
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    std::vector<ProxyPair> found, found_planes;
+    std::vector<ProxyPair> found;
     broad->update(proxies, changed, found);
-    find_plane_pairs(planes, proxies, changed, found_planes);
-    merge_pairs(rows, found);
-    merge_pairs(rows, found_planes);
-    end_pairs(rows, proxies, planes, ended);
+    find_plane_pairs(planes, proxies, changed, found);
+    for (const ProxyPair& key : found) {
+      if (table.find(key) == PairTable::none) table.activate(table.add(key));
+    }
+    std::vector<std::uint32_t> gone;
+    for (const std::uint32_t i : changed) {
+      table.each(i, [&](std::uint32_t p) {
+        if (!goes_on(table[p].key, proxies, planes) && std::ranges::find(gone, p) == gone.end()) gone.push_back(p);
+      });
+    }
+    std::vector<PairRow> ended;
+    for (const std::uint32_t p : gone) ended.push_back(table[p]), table.remove(p);
+    std::ranges::sort(ended, {}, &PairRow::key);
     changed.clear();
     return ended;
   }
+  PairRow& row(std::size_t n) { return table[table.sorted()[n]]; }
 };
 
 TEST(Pairs, FollowTheModel) {
@@ -125,20 +135,23 @@ TEST(Pairs, FollowTheModel) {
       }
     }
 
-    for (const EndedPair& e : m.update()) {
+    for (const PairRow& e : m.update()) {
+      if (e.row == no_row) continue;
       ASSERT_EQ(owned.at(e.key), e.row);
       owned.erase(e.key);
     }
     const auto expected = m.expected();
-    ASSERT_EQ(m.rows.size(), expected.size());
-    ASSERT_TRUE(std::ranges::equal(m.rows, expected, {}, &PairRow::key));
+    const std::vector<std::uint32_t> all = m.table.sorted();
+    const auto key = [&](std::uint32_t p) { return m.table[p].key; };
+    ASSERT_TRUE(std::ranges::equal(all, expected, {}, key));
+    // Everything active is in order, and what was not activated again is not.
+    ASSERT_EQ(m.table.settle([](const ProxyPair&) { return true; }), all);
 
-    std::vector<std::uint32_t> all(m.rows.size());
-    for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
-    const auto before = m.rows;
-    collide_pairs(m.rows, all, m.geometry, m.pose, Real(margin));
-    for (std::size_t i = 0; i < m.rows.size(); ++i) {
-      PairRow& row = m.rows[i];
+    std::vector<PairRow> before;
+    for (const std::uint32_t p : all) before.push_back(m.table[p]);
+    collide_pairs(m.table.rows(), all, m.geometry, m.pose, Real(margin));
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      PairRow& row = m.table[all[i]];
       const auto [a, b] = row.key;
       const bool now = row.manifold.count > 0, had = before[i].manifold.count > 0;
       ASSERT_EQ((row.manifold.bits & Manifold::touching) != 0, now);
@@ -171,26 +184,36 @@ TEST(Pairs, FollowTheModel) {
         row.row = no_row;
       }
     }
-    ASSERT_EQ(std::size_t(std::ranges::count_if(m.rows, [](auto& r) { return r.row != no_row; })), owned.size());
+    ASSERT_EQ(std::size_t(std::ranges::count_if(all, [&](auto p) { return m.table[p].row != no_row; })), owned.size());
   }
   EXPECT_GT(began, 100);
   EXPECT_GT(ended_bits, 50);
   EXPECT_GT(matched, 1000);
 }
 
-TEST(Pairs, ErasingReportsInKeyOrderOnlyWhatTheOwnerHas) {
-  std::vector<PairRow> rows;
-  merge_pairs(rows, std::vector<ProxyPair>{{1, 2}, {1, 5}, {2, 3}, {3, 4}});
-  merge_pairs(rows, std::vector<ProxyPair>{{0, 9}, {1, 5}, {2, 9}});
-  ASSERT_EQ(rows.size(), 6u);
-  for (PairRow& r : rows) r.row = r.key.b == 3 ? no_row : r.key.b;
-  std::vector<EndedPair> ended;
-  erase_pairs(rows, ended, [](const ProxyPair& key) { return key.a == 2 || key.b == 2; });
-  ASSERT_EQ(rows.size(), 3u);
-  ASSERT_EQ(ended.size(), 2u);
-  EXPECT_EQ(ended[0].key, (ProxyPair{1, 2}));
-  EXPECT_EQ(ended[0].row, 2u);
-  EXPECT_EQ(ended[1].key, (ProxyPair{2, 9}));
+TEST(Pairs, TheActiveOnesAreInTheOrderOfKeys) {
+  PairTable table;
+  const auto keys = [&](const std::vector<std::uint32_t>& pairs) {
+    std::vector<ProxyPair> out;
+    for (const std::uint32_t p : pairs) out.push_back(table[p].key);
+    return out;
+  };
+  const auto all = [](const ProxyPair&) { return true; };
+  const std::uint32_t late = table.add({3, 4}), early = table.add({1, 2}), never = table.add({2, 3});
+  table.activate(late), table.activate(early), table.activate(late);
+  EXPECT_EQ(keys(table.settle(all)), (std::vector<ProxyPair>{{1, 2}, {3, 4}}));
+  table.activate(never);
+  EXPECT_EQ(keys(table.take_activated()), (std::vector<ProxyPair>{{2, 3}}));
+  EXPECT_EQ(keys(table.active()), (std::vector<ProxyPair>{{1, 2}, {2, 3}, {3, 4}}));
+  EXPECT_TRUE(table.take_activated().empty());
+  table.remove(early);
+  EXPECT_EQ(table.find({1, 2}), PairTable::none);
+  const std::uint32_t other = table.add({5, 6});  // not in the place of what may still be listed
+  EXPECT_NE(other, early);
+  table.activate(other);
+  EXPECT_EQ(keys(table.settle([](const ProxyPair& key) { return key.a != 2; })), (std::vector<ProxyPair>{{3, 4}, {5, 6}}));
+  EXPECT_EQ(table.add({7, 8}), early);
+  EXPECT_EQ(keys(table.sorted()), (std::vector<ProxyPair>{{2, 3}, {3, 4}, {5, 6}, {7, 8}}));
 }
 
 TEST(Pairs, OnlyTheChosenRowsAreCollided) {
@@ -198,11 +221,11 @@ TEST(Pairs, OnlyTheChosenRowsAreCollided) {
   m.add(), m.add(), m.add();
   for (std::uint32_t i = 0; i < 3; ++i) m.put(i, {{0.1 * i, 0, 0}, {}}), m.proxies[i].fixed = false;
   m.update();
-  ASSERT_EQ(m.rows.size(), 3u);
-  collide_pairs(m.rows, std::vector<std::uint32_t>{1}, m.geometry, m.pose, Real(margin));
-  EXPECT_EQ(m.rows[0].manifold.count, 0);
-  EXPECT_GT(m.rows[1].manifold.count, 0);
-  EXPECT_EQ(m.rows[2].manifold.count, 0);
+  ASSERT_EQ(m.table.sorted().size(), 3u);
+  collide_pairs(m.table.rows(), std::vector<std::uint32_t>{m.table.sorted()[1]}, m.geometry, m.pose, Real(margin));
+  EXPECT_EQ(m.row(0).manifold.count, 0);
+  EXPECT_GT(m.row(1).manifold.count, 0);
+  EXPECT_EQ(m.row(2).manifold.count, 0);
 }
 
 // Story: a floor placed at the origin and a box 100 km away. In float the floor's height there would be off by
@@ -218,10 +241,10 @@ TEST(Pairs, FloorIsExactFarFromItsOrigin) {
   m.proxies[1].fixed = false;
   m.put(1, {Pos{} + along * 1e5 + up * 0.49, {}});
   m.update();
-  ASSERT_EQ(m.rows.size(), 1u);
-  collide_pairs(m.rows, std::vector<std::uint32_t>{0}, m.geometry, m.pose, Real(margin));
-  ASSERT_EQ(m.rows[0].manifold.count, 1);
-  EXPECT_NEAR(m.rows[0].manifold.points[0].separation, -0.01, 1e-6);
+  ASSERT_EQ(m.table.sorted().size(), 1u);
+  collide_pairs(m.table.rows(), m.table.sorted(), m.geometry, m.pose, Real(margin));
+  ASSERT_EQ(m.row(0).manifold.count, 1);
+  EXPECT_NEAR(m.row(0).manifold.points[0].separation, -0.01, 1e-6);
 }
 
 }
