@@ -30,13 +30,13 @@ void write_pairs(Writer& w, const PairTable& pairs) {
   w.value(std::uint64_t(all.size()));
   for (const std::uint32_t p : all) w.raw(&pairs[p], sizeof(PairRow));
 }
-void read_pairs(Reader& r, PairTable& pairs) {
+void read_pairs(Reader& r, std::uint32_t bodies, PairTable& pairs) {
   std::vector<PairRow> rows;
   r.array(rows);
   pairs.clear();
   const ProxyPair* before = nullptr;
   for (const PairRow& row : rows) {
-    if (row.key.a >= row.key.b || (before != nullptr && !(*before < row.key)))
+    if (row.key.a >= row.key.b || row.key.b >= bodies || (before != nullptr && !(*before < row.key)))
       throw Error("data", "holds a contact of bodies that it does not hold");
     before = &row.key;
     pairs[pairs.add(row.key)] = row;
@@ -73,7 +73,7 @@ void World::Impl::read_state(Reader& r) {
   sensors.resize(sensor_slots.size());
   for (Sensor& s : sensors) read(r, s);
   r.array(sensor_memory);
-  read_pairs(r, pairs);
+  read_pairs(r, bodies.size(), pairs);
   read_proxies(r, bodies, proxies);
   steps = r.value<std::int64_t>(), clock_start = r.value<double>(), clock_step = r.value<double>();
   clock_steps = r.value<std::int64_t>();
