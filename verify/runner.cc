@@ -6,6 +6,7 @@
 #include <cmath>
 #include <thread>
 
+#include "verify/known_failures.h"
 #include "verify/numerics.h"
 
 namespace sudar::verify {
@@ -33,6 +34,19 @@ Tally count(const std::vector<Result>& results) {
     (catalogue ? tally.passed : tally.beside_passed) += passed ? 1 : 0;
   }
   return tally;
+}
+
+Surprises surprises(const std::vector<Result>& results, const Options& o) {
+  Surprises found;
+  for (std::size_t i = 0; i < results.size();) {
+    const Case* of = results[i].of;
+    bool passed = true;
+    for (; i < results.size() && results[i].of == of; ++i) passed &= results[i].passed();
+    const bool known = known_failure(of->id, o.effort) != nullptr;
+    if (!passed && !known) found.failed.push_back(of);
+    if (passed && known && o.set.empty()) found.passed.push_back(of);
+  }
+  return found;
 }
 
 std::string Tally::text() const {

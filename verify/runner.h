@@ -46,6 +46,14 @@ struct Tally {
 };
 Tally count(const std::vector<Result>&);
 
+// What the list of known failures (known_failures.h) does not expect: cases that fail and are not in it, and cases in it
+// that pass; not with `set` parameters, with which nobody knows.
+struct Surprises {
+  std::vector<const Case*> failed, passed;
+  bool none() const { return failed.empty() && passed.empty(); }
+};
+Surprises surprises(const std::vector<Result>&, const Options&);
+
 const char* solver_name(Solver);
 
 // In the order of the cases, whatever finishes first. `progress` is told the share that is done, now and then, on the
