@@ -79,6 +79,7 @@ Json report(const Session& session, const Meter& meter) {
   j["version"] = SUDAR_VERSION;
   j["dt"] = number(config.dt);
   j["substeps"] = config.substeps;
+  j["workers"] = config.workers;
   j["steps"] = world.steps();
   j["seconds"] = number(world.time());
   j["bodies"] = world.bodies().size();

@@ -42,6 +42,7 @@ void SceneOptions::add_to(CLI::App& app) {
       ->allow_extra_args(false);
   app.add_option("--dt", dt, "length of a step, s");
   app.add_option("--substeps", substeps, "parts of a step");
+  app.add_option("--workers", workers, "threads that share a step; changes no bit of the results");
   app.add_option("--time-factor", time_factor, "simulated seconds per second of a step");
   app.add_option("--solver", solver, choices(names(Solver{})));
   app.add_option("--broad", broad, choices(names(Broad{})));
@@ -54,7 +55,7 @@ Settings SceneOptions::settings() const {
   Settings s;
   s.set = parse_parameters(set);
   const std::pair<const char*, const std::string*> short_forms[] = {
-      {"dt", &dt}, {"substeps", &substeps}, {"time_factor", &time_factor}, {"solver", &solver}, {"broad", &broad}};
+      {"dt", &dt}, {"substeps", &substeps}, {"workers", &workers}, {"time_factor", &time_factor}, {"solver", &solver}, {"broad", &broad}};
   for (const auto& [path, value] : short_forms) {
     if (!value->empty()) s.config.emplace_back(path, *value);
   }

@@ -12,7 +12,7 @@ namespace sudar::app {
 struct SceneOptions {
   std::string scene;
   std::vector<std::string> set, config;                  // "name=value"
-  std::string dt, substeps, time_factor, solver, broad;  // short for --config; empty: not given
+  std::string dt, substeps, workers, time_factor, solver, broad;  // short for --config; empty: not given
   bool no_sleep = false;
   std::optional<double> seconds;
   std::string keys;

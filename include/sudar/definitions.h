@@ -391,6 +391,7 @@ struct Config {
   Integrator integrator = Integrator::symplectic_euler;
   double dt = 1.0 / 60;        // s, of World::step()
   std::int32_t substeps = 4;
+  std::int32_t workers = 1;    // threads that share a step, the caller's included; changes no bit of the results
   bool sleep = true;           // quiet islands that touch or hang on something stop being computed
   Real length_unit = 1;        // how many units of length a metre has: 1000 for a scene in millimetres
   Real time_factor = 1;        // k of thesis (3.4): simulated seconds per second of step
@@ -401,6 +402,7 @@ template <class V, Like<Config> T>
 void describe(V& v, T& d) {
   v("solver", d.solver, any), v("broad", d.broad, any), v("integrator", d.integrator, any);
   v("dt", d.dt, positive), v("substeps", d.substeps, Range{1, 10000});
+  v("workers", d.workers, Range{1, 256});
   v("sleep", d.sleep, any);
   v("length_unit", d.length_unit, positive), v("time_factor", d.time_factor, positive);
   v("friction_mix", d.friction_mix, any), v("restitution_mix", d.restitution_mix, any);

@@ -13,9 +13,10 @@ struct Profile {
     double microseconds;
   };
   struct Passes {
-    std::int64_t used = 0;    // passes, summed over the step's sub-steps
+    std::int64_t used = 0;    // passes, summed over islands and the step's sub-steps
     std::int64_t visits = 0;  // of a contact point or a joint in a pass
-    double microseconds = 0;  // of the visits
+    double microseconds = 0;  // of the visits, summed over workers
+    void operator+=(const Passes& p) { used += p.used, visits += p.visits, microseconds += p.microseconds; }
   };
   std::vector<Stage> stages;
   std::int64_t contacts = 0, points = 0;  // touching pairs and their points in the last sub-step

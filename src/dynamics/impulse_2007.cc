@@ -1,6 +1,7 @@
 #include "dynamics/impulse_2007.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "dynamics/as_written.h"
 #include "dynamics/collisions.h"
@@ -294,9 +295,51 @@ class IslandSolver {
 
 }
 
+namespace {
+
+// A worker's own.
+struct Bench {
+  Workspace work;
+  StepOutcome out;
+};
+
+// Islands in runs of about the same cost, the dearest first, so that workers end together.
+struct Jobs {
+  std::vector<std::uint32_t> islands;            // numbers, by cost
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> runs;  // first, end in that list
+
+  void plan(std::span<const Island> all) {
+    constexpr std::uint32_t enough = 200;  // about that of 50 contacts: less is not worth a trip to the pool
+    const auto cost = [&](std::uint32_t i) {
+      return 4 * (all[i].contacts.count + all[i].joints.count) + all[i].bodies.count;
+    };
+    islands.resize(all.size());
+    for (std::uint32_t i = 0; i < islands.size(); ++i) islands[i] = i;
+    std::ranges::stable_sort(islands, std::greater(), cost);
+    runs.clear();
+    std::uint32_t sum = 0, first = 0;
+    for (std::uint32_t k = 0; k < islands.size(); ++k) {
+      sum += cost(islands[k]);
+      if (sum < enough && k + 1 < islands.size()) continue;
+      runs.emplace_back(first, k + 1);
+      first = k + 1, sum = 0;
+    }
+  }
+};
+
+// Whether islands reach into each other while they are solved: bodies attract each other from afar, or exact joints
+// move a common carrier to and fro. Then they take turns.
+bool take_turns(const StepView& in) {
+  const auto carries = [&](std::uint32_t i) { return in.joint_graph.count(i) > 0; };
+  return act_from_afar(in.forces) || std::ranges::any_of(in.kinematic, carries);
+}
+
+}
+
 struct Impulse2007Solver::Memory {
   SolverBodies bodies;
-  Workspace work;
+  std::vector<Bench> benches;  // by worker
+  Jobs jobs;
 };
 
 Impulse2007Solver::Impulse2007Solver() : memory_(std::make_unique<Memory>()) {}
@@ -306,24 +349,42 @@ Impulse2007Solver::~Impulse2007Solver() = default;
 
 namespace {
 
+void solve(const StepView& in, const Island& island, SolverBodies& on, Bench& bench) {
+  Workspace& work = bench.work;
+  SubStep s{.in = in,
+            .island = island,
+            .set = in.config.impulse_2007,
+            .on = on,
+            .out = bench.out,
+            .rows = work.rows,
+            .starts = work.starts,
+            .pushes = work.pushes,
+            .turns = work.turns,
+            .joint_rows = work.joints};
+  IslandSolver(s, work).run();
+}
+
 // thesis (3.21), with the exponential map for the turn. All bodies move after all islands are solved, so that they see
 // each other where the sub-step began.
-void move(const StepView& in, SolverBodies& on, ExactJoints& exact_joints, StepOutcome& out) {
+void move(const StepView& in, SolverBodies& on, std::vector<Bench>& benches) {
   Bodies& bodies = in.bodies;
-  const auto give_up = [&](std::uint32_t i) {
+  const auto give_up = [&](std::uint32_t i, std::uint32_t worker) {
     bodies.quarantined[i] = 1;
-    out.broken.push_back(i);
+    benches[worker].out.broken.push_back(i);
   };
   std::vector<std::uint32_t> smooth(in.smooth.begin(), in.smooth.end());
   std::erase_if(smooth, [&](std::uint32_t i) { return bodies.quarantined[i] != 0; });
   for (const std::uint32_t i : smooth) on[on.number(i)].settled = true;
-  for (const std::uint32_t i : runge_kutta_4(bodies, in.forces, smooth, in.h)) give_up(i);
-  for (const std::uint32_t i : in.awake) {
-    const SolverBody& body = on[on.number(i)];
-    if (body.settled || bodies.quarantined[i] != 0) continue;
-    if (!drift(bodies, i, body, in.h)) give_up(i);
-  }
-  exact_joints.commit(bodies);
+  for (const std::uint32_t i : runge_kutta_4(bodies, in.forces, smooth, in.h)) give_up(i, 0);
+  const auto drift_all = [&](std::uint32_t worker, std::uint32_t first, std::uint32_t end) {
+    for (const std::uint32_t i : in.awake.subspan(first, end - first)) {
+      const SolverBody& body = on[on.number(i)];
+      if (body.settled || bodies.quarantined[i] != 0) continue;
+      if (!drift(bodies, i, body, in.h)) give_up(i, worker);
+    }
+  };
+  in.pool.for_ranges(std::uint32_t(in.awake.size()), 64, drift_all);
+  for (Bench& bench : benches) bench.work.exact_joints.commit(bodies);
   for (const std::uint32_t i : in.kinematic) carry(bodies, i, in.h);
 }
 
@@ -331,24 +392,23 @@ void move(const StepView& in, SolverBodies& on, ExactJoints& exact_joints, StepO
 
 void Impulse2007Solver::advance(const StepView& in, StepOutcome& out) {
   SolverBodies& on = memory_->bodies;
-  Workspace& work = memory_->work;
+  std::vector<Bench>& benches = memory_->benches;
+  benches.resize(in.pool.workers());
+  for (Bench& bench : benches) bench.out.clear(), bench.work.exact_joints.reset();
   on.reset(in.awake, in.kinematic, in.bodies.size());
   for (const std::uint32_t i : in.kinematic) on[on.number(i)] = solver_body(in.bodies, i);
-  work.exact_joints.reset();
-  for (const Island& island : in.islands) {
-    SubStep s{.in = in,
-              .island = island,
-              .set = in.config.impulse_2007,
-              .on = on,
-              .out = out,
-              .rows = work.rows,
-              .starts = work.starts,
-              .pushes = work.pushes,
-              .turns = work.turns,
-              .joint_rows = work.joints};
-    IslandSolver(s, work).run();
+  if (in.pool.workers() == 1 || take_turns(in)) {
+    for (const Island& island : in.islands) solve(in, island, on, benches[0]);
+  } else {
+    Jobs& jobs = memory_->jobs;
+    jobs.plan(in.islands);
+    in.pool.for_each(std::uint32_t(jobs.runs.size()), [&](std::uint32_t worker, std::uint32_t run) {
+      const auto [first, end] = jobs.runs[run];
+      for (std::uint32_t k = first; k < end; ++k) solve(in, in.islands[jobs.islands[k]], on, benches[worker]);
+    });
   }
-  move(in, on, work.exact_joints, out);
+  move(in, on, benches);
+  for (const Bench& bench : benches) out.add(bench.out);
   std::ranges::sort(out.hits, {}, &StepOutcome::Hit::contact);
   std::ranges::sort(out.broken);
 }

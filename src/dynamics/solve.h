@@ -3,6 +3,7 @@
 
 #include <sudar/profile.h>
 
+#include "base/pool.h"
 #include "collision/narrow/collide.h"
 #include "dynamics/contacts.h"
 #include "dynamics/forces.h"
@@ -37,6 +38,7 @@ struct StepView {
   Joints& joint_state;
   JointGraph& joint_graph;  // settled
   Contacts& contact_state;
+  Pool& pool;
 };
 
 struct StepOutcome {
@@ -54,6 +56,12 @@ struct StepOutcome {
     hits.clear(), broken.clear();
     points = 0;
     collision = contact = correction = joint = {};
+  }
+  void add(const StepOutcome& other) {
+    hits.insert(hits.end(), other.hits.begin(), other.hits.end());
+    broken.insert(broken.end(), other.broken.begin(), other.broken.end());
+    points += other.points;
+    collision += other.collision, contact += other.contact, correction += other.correction, joint += other.joint;
   }
 };
 

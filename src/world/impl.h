@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "base/pending_set.h"
+#include "base/pool.h"
 #include "collision/broad/broad.h"
 #include "collision/narrow/pairs.h"
 #include "dynamics/impulse_2007.h"
@@ -61,6 +62,7 @@ struct World::Impl {
   std::uint32_t number;                 // of this world and of those loaded from it
 
   // --- rebuilt, or living for one step ---
+  std::unique_ptr<Pool> pool = std::make_unique<Pool>();  // stays when a snapshot is loaded
   std::unique_ptr<BroadPhase> broad;
   std::vector<std::uint32_t> changed;       // proxies that are new, moved or gone since the last search for pairs
   JointGraph joint_graph;
@@ -138,7 +140,8 @@ struct World::Impl {
   const Geometry& geometry_of(std::uint32_t body) const { return geometry[bodies.geometry[body]].geometry(); }
   bool is_half_space(std::uint32_t body) const { return geometry_of(body).kind == ShapeKind::half_space; }
   Material pair_material(const ProxyPair&) const;
-  void touch_proxy(std::uint32_t body, bool force);  // keeps the fat box around the body, notes a change
+  bool renew_box(std::uint32_t body, bool force);    // keeps the fat box around the body; whether it is another one
+  void touch_proxy(std::uint32_t body, bool force);  // the same, and notes a change
   std::vector<std::uint32_t> pairs_of(std::uint32_t body) const;  // by key
   void end_pair(std::uint32_t pair);                 // it goes, its contact too; its bodies wake if they touched
   bool forbidden(const ProxyPair&) const;            // by a joint between the two

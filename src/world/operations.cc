@@ -276,6 +276,7 @@ void World::Impl::perform(const SetConfig& op) {
   for (std::uint32_t i = 0; i < bodies.size(); ++i) {
     if (bodies.slots.used(i)) touch_proxy(i, false);
   }
+  pool->resize(std::uint32_t(config.workers));
   if (other_broad) rebuild();
 }
 

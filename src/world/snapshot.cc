@@ -45,7 +45,9 @@ void read_pairs(Reader& r, std::uint32_t bodies, PairTable& pairs) {
 }
 
 void World::Impl::write_state(Writer& w) const {
-  write(w, config);
+  Config of_world = config;
+  of_world.workers = 1;  // how many there are is the machine's, not the world's
+  write(w, of_world);
   write(w, bodies);
   for (const std::string& name : body_names) w.text(name);
   w.array(pair_materials);
@@ -188,6 +190,8 @@ void World::Impl::perform(const Load& op) {
   Impl fresh(Config{}, saved);
   read(r, fresh.geometry);
   fresh.read_state(r);
+  fresh.config.workers = config.workers;
+  fresh.pool = std::move(pool);
   // Whoever records goes on recording.
   fresh.recording = recording;
   fresh.log = std::move(log);

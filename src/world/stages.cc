@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/float_state.h"
 #include "base/text.h"
 #include "base/timer.h"
 
@@ -94,7 +95,9 @@ void collide(World::Impl& w) {
   const Real margin = w.config.impulse_2007.slop * w.config.length_unit;
   std::vector<std::uint32_t> round = w.pairs.settle([&](const ProxyPair& key) { return can_change(b, key); });
   while (!round.empty()) {
-    collide_pairs(w.pairs.rows(), round, w.geometries, w.shape_poses, margin);
+    w.pool->for_ranges(std::uint32_t(round.size()), 16, [&](std::uint32_t, std::uint32_t first, std::uint32_t end) {
+      collide_pairs(w.pairs.rows(), std::span(round).subspan(first, end - first), w.geometries, w.shape_poses, margin);
+    });
     for (const std::uint32_t p : round) {
       if (touching(w.pairs[p])) wake_sides(w, w.pairs[p].key);
     }
@@ -218,7 +221,8 @@ void solve(World::Impl& w) {
                           .bodies = w.bodies,
                           .joint_state = w.joints,
                           .joint_graph = w.joint_graph,
-                          .contact_state = w.contacts},
+                          .contact_state = w.contacts,
+                          .pool = *w.pool},
                          outcome);
   for (const StepOutcome::Hit& hit : outcome.hits) {
     const ActiveContact& c = w.active_contacts[hit.contact];
@@ -233,8 +237,17 @@ void solve(World::Impl& w) {
 }
 
 void refit(World::Impl& w) {
-  for (const std::uint32_t i : w.awake) w.touch_proxy(i, false);
-  for (const std::uint32_t i : w.kinematic) w.touch_proxy(i, false);
+  std::vector<std::vector<std::uint32_t>> left(w.pool->workers());  // their boxes, by worker
+  for (const std::vector<std::uint32_t>* moving : {&w.awake, &w.kinematic}) {
+    const auto follow = [&](std::uint32_t worker, std::uint32_t first, std::uint32_t end) {
+      for (std::uint32_t k = first; k < end; ++k) {
+        const std::uint32_t i = (*moving)[k];
+        if (w.renew_box(i, false)) left[worker].push_back(i);
+      }
+    };
+    w.pool->for_ranges(std::uint32_t(moving->size()), 64, follow);
+  }
+  for (const std::vector<std::uint32_t>& some : left) w.changed.insert(w.changed.end(), some.begin(), some.end());
 }
 
 // An island sleeps when each of its bodies was quiet for 20 steps: v² and (ωR)² ≤ 10⁻⁵ (m/s)², the prototype's rule. A
@@ -297,6 +310,7 @@ void sense(World::Impl& w, double dt) {
 }
 
 void World::Impl::step(double dt) {
+  const FloatState defaults;
   const double simulated = dt * double(config.time_factor), sub_step = simulated / config.substeps;
   if (!(sub_step > 0) || !std::isnormal(Real(sub_step))) {
     throw Error("dt", "makes a sub-step of " + text(sub_step) + " s, which the precision cannot hold");

@@ -12,20 +12,23 @@ Material World::Impl::pair_material(const ProxyPair& key) const {
   return mix(config, bodies.material[key.a], bodies.material[key.b]);
 }
 
-void World::Impl::touch_proxy(std::uint32_t i, bool force) {
+bool World::Impl::renew_box(std::uint32_t i, bool force) {
   Proxy& proxy = proxies[i];
   proxy.filter = bodies.filter[i];
   proxy.fixed = bodies.motion[i] == Motion::fixed;
   proxy.present = bodies.slots.used(i) && bodies.quarantined[i] == 0 && !is_half_space(i);
   const Pose pose = shape_poses[i] = bodies.shape_pose(i);
-  if (proxy.present) {
-    // The box holds the margin within which contacts are made, and room to move before it must be renewed.
-    const Real unit = config.length_unit, contact_margin = config.impulse_2007.slop * unit;
-    if (!force && contains(proxy.box, bounds(geometry_of(i), pose, contact_margin))) return;
-    const Real room = min(Real(0.125) * bodies.radius[i], Real(0.05) * unit);
-    proxy.box = bounds(geometry_of(i), pose, contact_margin + room);
-  }
-  changed.push_back(i);
+  if (!proxy.present) return true;
+  // The box holds the margin within which contacts are made, and room to move before it must be renewed.
+  const Real unit = config.length_unit, contact_margin = config.impulse_2007.slop * unit;
+  if (!force && contains(proxy.box, bounds(geometry_of(i), pose, contact_margin))) return false;
+  const Real room = min(Real(0.125) * bodies.radius[i], Real(0.05) * unit);
+  proxy.box = bounds(geometry_of(i), pose, contact_margin + room);
+  return true;
+}
+
+void World::Impl::touch_proxy(std::uint32_t i, bool force) {
+  if (renew_box(i, force)) changed.push_back(i);
 }
 
 void World::Impl::enlist(std::uint32_t i) {
@@ -114,6 +117,7 @@ bool World::Impl::forbidden(const ProxyPair& key) const {
 }
 
 void World::Impl::rebuild() {
+  pool->resize(std::uint32_t(config.workers));
   h = clock_step / config.substeps;
   planes.clear(), parted.clear(), named.clear(), hollows.clear(), pushed.clear();
   awake_bodies.clear(), moving_kinematic.clear(), awake_joints.clear(), sleepers.clear();

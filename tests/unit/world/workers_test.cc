@@ -1,0 +1,57 @@
+// Many islands that collide, hang on each other, fly apart and fall asleep, shared by several threads.
+#include <sudar/world.h>
+
+#include "unit/worlds.h"
+
+#include <gtest/gtest.h>
+
+using namespace sudar;
+using namespace sudar_test;
+
+namespace {
+
+World heaps(int workers) {
+  Config c;
+  c.workers = workers;
+  World w(c);
+  w.add(Gravity{});
+  add_floor(w);
+  const Body carrier = w.add({.shape = box({1, 1, 1}), .at = {0, 30, 0}, .spin = {0, 1, 0}, .motion = Motion::kinematic});
+  for (int heap = 0; heap < 12; ++heap) {
+    const double x = 6 * (heap % 6), z = 6 * (heap / 6) + 8;
+    for (int k = 0; k < 8; ++k) w.add(cube({x + 0.1 * (k % 3), 0.6 + 1.1 * k, z}));
+    Body above = heap % 5 == 0 ? carrier : Body{};
+    for (int k = 0; k < 3; ++k) {
+      const Body link = w.add({.shape = sphere(Real(0.2)), .at = {x + 0.6 * k, 30, z}});
+      if (k > 0 || heap % 5 == 0) w.join(Ball{.a = above, .b = link, .at = {x + 0.6 * k - 0.3, 30, z}});
+      above = link;
+    }
+  }
+  return w;
+}
+
+TEST(Workers, ChangeNoBit) {
+  std::vector<std::uint64_t> hashes;
+  for (const int workers : {1, 2, 3, 5}) {
+    World w = heaps(workers);
+    std::uint64_t all = 0;
+    for (int i = 0; i < 80; ++i) {
+      w.step();
+      all = all * 31 + w.hash() + w.events().hits.size() * 7 + w.events().begun.size();
+    }
+    hashes.push_back(all);
+  }
+  for (const std::uint64_t h : hashes) EXPECT_EQ(h, hashes[0]);
+}
+
+TEST(Workers, AreNoPartOfTheState) {
+  World one = heaps(1), three = heaps(3);
+  step(one, 20), step(three, 20);
+  EXPECT_EQ(one.hash(), three.hash());
+  three.load(one.save());
+  EXPECT_EQ(three.config().workers, 3);
+  step(one, 20), step(three, 20);
+  EXPECT_EQ(one.hash(), three.hash());
+}
+
+}
