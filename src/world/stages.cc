@@ -5,6 +5,7 @@
 #include "base/float_state.h"
 #include "base/text.h"
 #include "base/timer.h"
+#include "dynamics/rest.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -250,30 +251,23 @@ void refit(World::Impl& w) {
   for (const std::vector<std::uint32_t>& some : left) w.changed.insert(w.changed.end(), some.begin(), some.end());
 }
 
-// An island sleeps when each of its bodies was quiet for 20 steps: v² and (ωR)² ≤ 10⁻⁵ (m/s)², the prototype's rule. A
-// body that touches nothing and hangs on nothing has nothing to rest on: in a weak field it only begins to fall.
+// An island sleeps when each of its bodies rests. A body that touches nothing and hangs on nothing has nothing to rest
+// on: in a weak field it only begins to fall.
 void sleep(World::Impl& w) {
-  constexpr std::uint32_t enough = 20;
   Bodies& b = w.bodies;
-  const Real limit = Real(1e-5) * square(w.config.length_unit);
-  for (const std::uint32_t i : w.awake) {
-    const bool quiet =
-        length_squared(b.velocity[i]) <= limit && length_squared(b.spin[i]) * square(b.radius[i]) <= limit;
-    b.quiet_steps[i] = quiet ? b.quiet_steps[i] + 1 : 0;
+  watch_rest(b, w.awake, w.config.length_unit, Real(w.h));
+  if (!w.config.sleep || w.awake.empty()) return;
+  HeldByFaces held(b.size());
+  for (const ActiveContact& c : w.active_contacts) {
+    held.contact(c.a, c.b, w.contacts.impulse[c.slot], w.contacts.slipping[c.slot] != 0);
   }
-  if (!w.config.sleep) return;
+  for (const std::uint32_t j : w.active_joints) held.joint(w.joints.a[j], w.joints.b[j]);
   for (const Island& island : w.islands) {
     const auto bodies = island.bodies.of(std::span<const std::uint32_t>(w.awake));
-    const auto contacts = island.contacts.of(std::span<const ActiveContact>(w.active_contacts));
     const auto restless = [&](std::uint32_t i) {
-      return b.quiet_steps[i] < enough || b.may_sleep[i] == 0 || !b.dynamic(i);
+      return !rests(b, i, held[i]) || b.may_sleep[i] == 0 || !b.dynamic(i);
     };
-    // What slides is on its way, however slowly: 0.1 mm/s is movement where friction has given in.
-    const auto slides = [&](const ActiveContact& c) {
-      const Real slip = max(length_squared(b.velocity[c.a]), length_squared(b.velocity[c.b]));
-      return w.contacts.slipping[c.slot] != 0 && slip > Real(1e-3) * limit;
-    };
-    if (!island.linked || std::ranges::any_of(bodies, restless) || std::ranges::any_of(contacts, slides)) continue;
+    if (!island.linked || std::ranges::any_of(bodies, restless)) continue;
     w.sleepers.add(bodies);
     for (const std::uint32_t i : bodies) {
       b.asleep[i] = 1;

@@ -1,6 +1,7 @@
 // What several operations and stages need: boxes, sleep, pairs, and all that is a function of the state.
 #include <algorithm>
 
+#include "dynamics/rest.h"
 #include "world/impl.h"
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -48,12 +49,12 @@ void World::Impl::enlist_joint(std::uint32_t j) {
 
 void World::Impl::wake_island(std::uint32_t i) {
   if (bodies.asleep[i] == 0) {
-    bodies.quiet_steps[i] = 0;
+    disturb(bodies, i);
     return;
   }
   sleepers.each_with(i, [&](std::uint32_t k) {
     bodies.asleep[k] = 0;
-    bodies.quiet_steps[k] = 0;
+    disturb(bodies, k);
     enlist(k);
   });
 }
@@ -101,7 +102,7 @@ void World::Impl::end_pair(std::uint32_t pair) {
 
 void World::Impl::wake_all() {
   for (const std::uint32_t i : awake_bodies.settle([&](std::uint32_t k) { return bodies.slots.used(k); }))
-    bodies.quiet_steps[i] = 0;
+    disturb(bodies, i);
   for (const std::uint32_t i : sleepers.one_of_each([&](std::uint32_t k) { return bodies.asleep[k] != 0; }))
     wake_island(i);
 }
