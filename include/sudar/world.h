@@ -62,8 +62,14 @@ struct Contact {
 struct RayHit {
   Body body;
   Pos at;
-  Vec3 normal;
-  Real distance;
+  Vec3 normal;    // of the surface; of a body in which the ray starts: against the ray
+  Real distance;  // m
+};
+// What a ray looks for.
+struct RayQuery {
+  Filter filter{0xffffffffu, 0xffffffffu, 0};  // bodies that may touch it (definitions.h); else it passes through
+  bool from_inside = false;  // a body in which it starts is hit at once; else it does not see it
+  bool all = false;          // every body on its way, nearest first; else the nearest
 };
 
 // Kinetic and potential energy [J], momentum [N·s] and angular momentum about the origin [N·m·s] of all dynamic bodies.
@@ -175,7 +181,10 @@ class World {
   std::vector<Contact> contacts() const;
   bool touching(Body, Body) const;
   Material pair_material(Body a, Body b) const;  // what holds where they touch: set, or mixed
-  std::optional<RayHit> ray_cast(const Pos& from, const Vec3& direction, Real length) const;  // nearest; direction of length 1
+  // direction: of length 1; length: m, may be infinite. Throws Error. A ray that starts inside a body does not see it,
+  // unless the query says so.
+  std::optional<RayHit> ray_cast(const Pos& from, const Vec3& direction, Real length) const;  // the nearest
+  std::vector<RayHit> ray_cast(const Pos& from, const Vec3& direction, Real length, const RayQuery&) const;
   std::vector<Box> fat_boxes() const;    // of all bodies but half spaces: what the broad phase compares
   std::vector<Box> broad_boxes() const;  // what it is made of: cells or nodes; for pictures
   // For each of bodies() the smallest index among those that it hangs together with, by contacts and joints of dynamic

@@ -64,7 +64,9 @@ struct World::Impl {
   // --- rebuilt, or living for one step ---
   std::unique_ptr<Pool> pool = std::make_unique<Pool>();  // stays when a snapshot is loaded
   std::unique_ptr<BroadPhase> broad;
-  std::vector<std::uint32_t> changed;       // proxies that are new, moved or gone since the last search for pairs
+  std::vector<std::uint32_t> changed;       // proxies that are new, moved or gone since the broad phase was told
+  std::vector<std::uint32_t> searched;      // those of which it was told since the last stage `pairs`
+  std::vector<ProxyPair> found;             // and what it found
   JointGraph joint_graph;
   std::vector<PlaneProxy> planes;           // the half spaces, ascending
   std::vector<ProxyPair> parted;            // bodies that a new joint forbids to touch, since the last search for pairs
@@ -140,6 +142,7 @@ struct World::Impl {
   const Geometry& geometry_of(std::uint32_t body) const { return geometry[bodies.geometry[body]].geometry(); }
   bool is_half_space(std::uint32_t body) const { return geometry_of(body).kind == ShapeKind::half_space; }
   Material pair_material(const ProxyPair&) const;
+  void settle_boxes();                               // tells the broad phase of all changes
   bool renew_box(std::uint32_t body, bool force);    // keeps the fat box around the body; whether it is another one
   void touch_proxy(std::uint32_t body, bool force);  // the same, and notes a change
   std::vector<std::uint32_t> pairs_of(std::uint32_t body) const;  // by key

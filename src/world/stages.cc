@@ -48,7 +48,7 @@ void wake_carried(World::Impl& w) {
 // Pairs whose boxes part, or whose bodies a joint forbids to touch, in the order of keys.
 void end_pairs(World::Impl& w) {
   std::vector<std::uint32_t> ended;
-  for (const std::uint32_t i : w.changed) {
+  for (const std::uint32_t i : w.searched) {
     w.pairs.each(i, [&](std::uint32_t p) {
       if (!goes_on(w.pairs[p].key, w.proxies, w.planes)) ended.push_back(p);
     });
@@ -70,20 +70,20 @@ void end_pairs(World::Impl& w) {
 }
 
 void find_pairs(World::Impl& w) {
-  std::sort(w.changed.begin(), w.changed.end());
-  w.changed.erase(std::unique(w.changed.begin(), w.changed.end()), w.changed.end());
-  if (w.changed.empty()) return;
-  std::vector<ProxyPair> found;
-  w.broad->update(w.proxies, w.changed, found);
-  find_plane_pairs(w.planes, w.proxies, w.changed, found);
-  std::sort(found.begin(), found.end());
-  for (const ProxyPair& key : found) {
+  w.settle_boxes();
+  if (w.searched.empty()) return;
+  std::sort(w.searched.begin(), w.searched.end());
+  w.searched.erase(std::unique(w.searched.begin(), w.searched.end()), w.searched.end());
+  find_plane_pairs(w.planes, w.proxies, w.searched, w.found);
+  std::sort(w.found.begin(), w.found.end());
+  for (const ProxyPair& key : w.found) {
     if (w.pairs.find(key) != PairTable::none || w.forbidden(key)) continue;
+    if (!goes_on(key, w.proxies, w.planes)) continue;  // was found, but moved on since
     const std::uint32_t pair = w.pairs.add(key);
     if (can_change(w.bodies, key)) w.pairs.activate(pair);
   }
   end_pairs(w);
-  w.changed.clear();
+  w.searched.clear(), w.found.clear();
 }
 
 // Collides what can change; what that wakes can change too.

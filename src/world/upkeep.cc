@@ -13,6 +13,15 @@ Material World::Impl::pair_material(const ProxyPair& key) const {
   return mix(config, bodies.material[key.a], bodies.material[key.b]);
 }
 
+void World::Impl::settle_boxes() {
+  if (changed.empty()) return;
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  broad->update(proxies, changed, found);
+  searched.insert(searched.end(), changed.begin(), changed.end());
+  changed.clear();
+}
+
 bool World::Impl::renew_box(std::uint32_t i, bool force) {
   Proxy& proxy = proxies[i];
   proxy.filter = bodies.filter[i];
@@ -122,7 +131,7 @@ void World::Impl::rebuild() {
   h = clock_step / config.substeps;
   planes.clear(), parted.clear(), named.clear(), hollows.clear(), pushed.clear();
   awake_bodies.clear(), moving_kinematic.clear(), awake_joints.clear(), sleepers.clear();
-  changed.clear();
+  changed.clear(), searched.clear(), found.clear();
   shape_poses.resize(bodies.size()), geometries.resize(bodies.size());
   joint_graph = {};
   for (std::uint32_t j = 0; j < joints.size(); ++j) {
@@ -147,10 +156,8 @@ void World::Impl::rebuild() {
     while (k < asleep.size() && asleep[k].first == number) island.push_back(asleep[k++].second);
     sleepers.add(island);
   }
-  // It finds all pairs again in the next step; until then it can be asked who is where.
   broad = make_broad_phase(config.broad);
-  std::vector<ProxyPair> known;
-  broad->update(proxies, changed, known);
+  settle_boxes();
 }
 
 }

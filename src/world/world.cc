@@ -223,21 +223,41 @@ bool World::touching(Body a, Body b) const {
 }
 
 std::optional<RayHit> World::ray_cast(const Pos& from, const Vec3& direction, Real reach) const {
+  const std::vector<RayHit> hits = ray_cast(from, direction, reach, RayQuery{});
+  return hits.empty() ? std::nullopt : std::optional(hits.front());
+}
+
+std::vector<RayHit> World::ray_cast(const Pos& from, const Vec3& direction, Real reach, const RayQuery& query) const {
   if (!is_finite(direction) || abs(length(direction) - 1) > Real(1e-3)) throw Error("direction", "must have length 1");
   if (!is_finite(from)) throw Error("from", "is not finite");
   if (!(reach >= 0)) throw Error("length", "must not be negative");
-  const Impl& w = *impl_;
-  std::optional<RayHit> nearest;
-  for (std::uint32_t i = 0; i < w.bodies.size(); ++i) {
-    if (!w.bodies.slots.used(i)) continue;
-    const Pose pose = w.bodies.shape_pose(i);
-    RayOnGeometry hit;
-    const Real best = nearest ? nearest->distance : reach;
-    if (!sudar::ray_cast(w.geometry_of(i), pose.local(from), rotate_back(pose.q, direction), best, hit)) continue;
-    nearest = RayHit{w.bodies.slots.handle<BodyTag>(i), from + direction * hit.distance, rotate(pose.q, hit.normal),
-                     hit.distance};
-  }
-  return nearest;
+  Impl& w = *impl_;
+  w.settle_boxes();
+  std::vector<RayHit> hits;
+  BoxRay ray(from, direction, reach);
+  const auto look = [&](std::uint32_t i) {
+    if (!w.bodies.slots.used(i) || !may_touch(query.filter, w.bodies.filter[i])) return;
+    const Pose& pose = w.shape_poses[i];
+    const Vec3 local = pose.local(from);
+    RayOnGeometry hit{0, -direction};
+    if (query.from_inside && contains(*w.geometries[i], local)) {
+    } else if (sudar::ray_cast(*w.geometries[i], local, rotate_back(pose.q, direction), Real(ray.reach), hit)) {
+      hit.normal = rotate(pose.q, hit.normal);
+    } else {
+      return;
+    }
+    hits.push_back({w.bodies.slots.handle<BodyTag>(i), from + direction * hit.distance, hit.normal, hit.distance});
+    if (!query.all) ray.reach = double(hit.distance);
+  };
+  for (const PlaneProxy& plane : w.planes) look(plane.proxy);
+  w.broad->cast(w.proxies, ray, look);
+  const auto order = [](const RayHit& p, const RayHit& q) {
+    return p.distance != q.distance ? p.distance < q.distance : p.body.index < q.body.index;
+  };
+  std::sort(hits.begin(), hits.end(), order);
+  hits.erase(std::unique(hits.begin(), hits.end(), [](auto& p, auto& q) { return p.body == q.body; }), hits.end());
+  if (!query.all && hits.size() > 1) hits.resize(1);
+  return hits;
 }
 
 SignedDistance World::distance(Body a, Body b) const {

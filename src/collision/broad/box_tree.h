@@ -46,6 +46,34 @@ class BoxTree {
     }
   }
 
+  // Calls visit(id) for every leaf whose box the ray meets, the nearer half of each node first; visit may shorten
+  // ray.reach.
+  template <class Visit>
+  void cast(BoxRay& ray, Visit visit) const {
+    if (root_ == none) return;
+    struct Waiting {
+      std::uint32_t node;
+      double at;
+    };
+    Waiting stack[max_levels];
+    std::uint32_t top = 0;
+    stack[top++] = {root_, ray.enters(nodes_[root_].box)};
+    while (top > 0) {
+      const Waiting next = stack[--top];
+      if (!(next.at <= ray.reach)) continue;
+      const Node& node = nodes_[next.node];
+      if (node.is_leaf()) {
+        visit(node.id());
+        continue;
+      }
+      const Waiting left{node.left, ray.enters(nodes_[node.left].box)};
+      const Waiting right{node.right, ray.enters(nodes_[node.right].box)};
+      const bool left_first = left.at <= right.at;
+      stack[top++] = left_first ? right : left;
+      stack[top++] = left_first ? left : right;
+    }
+  }
+
   std::size_t size() const { return leaves_; }
   std::uint32_t height() const { return root_ == none ? 0 : nodes_[root_].height; }  // of a single leaf: 0
   std::uint32_t height_limit() const;                                                // never exceeded after settle()

@@ -3,6 +3,7 @@
 
 #include <sudar/definitions.h>
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,6 +32,28 @@ constexpr bool may_pair(const Proxy& a, const Proxy& b) {
   return a.present && b.present && !(a.fixed && b.fixed) && overlap(a.box, b.box) && may_touch(a.filter, b.filter);
 }
 
+// A ray's way through boxes: from + t · direction for t in 0…reach.
+struct BoxRay {
+  BoxRay(const Pos& from, const Vec3& direction, Real reach) : from(from), reach(double(reach)) {
+    for (int i = 0; i < 3; ++i) inverse[i] = 1 / double(direction[i]);
+  }
+  Pos from;
+  Vec3d inverse;  // 1 / direction, infinite where it is 0
+  double reach;   // m
+  // Where it enters the box (0: it starts inside), or infinity: it does not meet it. Slabs (Kay, Kajiya 1986); where the
+  // ray runs within a box's side 0 · ∞ is not a number, and the comparisons let it count as inside.
+  double enters(const Box& box) const {
+    double near = 0, far = reach;
+    for (int i = 0; i < 3; ++i) {
+      const double a = (box.low[i] - from[i]) * inverse[i], b = (box.high[i] - from[i]) * inverse[i];
+      const double first = a < b ? a : b, last = a < b ? b : a;
+      if (first > near) near = first;
+      if (last < far) far = last;
+    }
+    return near <= far ? near : infinite;
+  }
+};
+
 class BroadPhase {
  public:
   virtual ~BroadPhase() = default;
@@ -44,6 +67,14 @@ class BroadPhase {
   virtual void search(std::span<const Proxy> proxies, const Box& box, std::vector<std::uint32_t>& out) const {
     for (std::uint32_t i = 0; i < proxies.size(); ++i) {
       if (proxies[i].present && overlap(proxies[i].box, box)) out.push_back(i);
+    }
+  }
+  // visit(proxy) for those whose boxes, as they were at the last update, the ray meets; it may shorten ray.reach. Others do
+  // no harm.
+  virtual void cast(std::span<const Proxy> proxies, BoxRay& ray,
+                    const std::function<void(std::uint32_t)>& visit) const {
+    for (std::uint32_t i = 0; i < proxies.size(); ++i) {
+      if (proxies[i].present && ray.enters(proxies[i].box) < infinite) visit(i);
     }
   }
   // For pictures: appends the boxes that the inner structure is made of (cells with members, inner nodes), if it is of

@@ -31,6 +31,10 @@ void Tree::search(std::span<const Proxy>, const Box& box, std::vector<std::uint3
   for (const BoxTree& tree : trees_) tree.search(box, [&](std::uint32_t i) { out.push_back(i); });
 }
 
+void Tree::cast(std::span<const Proxy>, BoxRay& ray, const std::function<void(std::uint32_t)>& visit) const {
+  for (const BoxTree& tree : trees_) tree.cast(ray, visit);
+}
+
 void Tree::inner_boxes(std::vector<Box>& out) const {
   for (const BoxTree& tree : trees_) tree.inner_boxes(out);
 }

@@ -20,6 +20,8 @@ class Tree final : public BroadPhase {
   void update(std::span<const Proxy> proxies, std::span<const std::uint32_t> changed,
               std::vector<ProxyPair>& out) override;
   void search(std::span<const Proxy> proxies, const Box& box, std::vector<std::uint32_t>& out) const override;
+  void cast(std::span<const Proxy> proxies, BoxRay& ray,
+            const std::function<void(std::uint32_t)>& visit) const override;
   void inner_boxes(std::vector<Box>& out) const override;
 
  private:

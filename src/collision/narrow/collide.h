@@ -23,5 +23,7 @@ struct RayOnGeometry {
   Vec3 normal;
 };
 bool ray_cast(const Geometry&, const Vec3& from, const Vec3& direction, Real length, RayOnGeometry& out);
+// Whether a point, in the geometry's frame, is in it; the inside of a hollow is air.
+bool contains(const Geometry&, const Vec3& point);
 
 }

@@ -174,4 +174,15 @@ bool ray_cast(const Geometry& g, const Vec3& from, const Vec3& direction, Real l
   return false;
 }
 
+
+// A convex body is entered before the point and left after it, by a line in any direction.
+bool contains(const Geometry& g, const Vec3& point) {
+  if (g.kind == ShapeKind::half_space) return point.y <= 0;
+  if (is_hollow(g.kind) || !(length(point) <= g.bounding_radius)) return false;
+  const Vec3 along{0, 1, 0};
+  const Real far = 3 * g.bounding_radius;
+  RayOnGeometry in, out;
+  return ray_cast(g, point - along * far, along, far, in) && ray_cast(g, point + along * far, -along, far, out);
+}
+
 }
