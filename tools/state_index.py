@@ -29,6 +29,9 @@ In this order in a snapshot (`src/world/snapshot.cc`): the settings; bodies, wit
 set for pairs; joints, with their definitions; forces; touching pairs; sensors, with their memories; the table of pairs
 (`src/collision/narrow/pairs.h`: manifolds, cached axes); the fat boxes that decide which pairs exist; the clock. Geometry
 stands before all of these: it is stored once by content, and is not hashed.
+
+Snapshots, recordings and saved runs begin with a version and with a number that follows from the names and types of all
+these fields (`src/base/file_header.h`): a file of another layout is refused, and the message says so.
 """
 
 

@@ -18,6 +18,7 @@ void add_list(CLI::App&, Action& chosen);
 void add_run(CLI::App&, Action& chosen);
 void add_render(CLI::App&, Action& chosen);
 void add_replay(CLI::App&, Action& chosen);
+void add_diff(CLI::App&, Action& chosen);
 void add_bench(CLI::App&, Action& chosen);
 void add_verify(CLI::App&, Action& chosen);
 

@@ -77,6 +77,7 @@ int start(int argc, char** argv) {
   add_run(app, chosen);
   add_render(app, chosen);
   add_replay(app, chosen);
+  add_diff(app, chosen);
   add_bench(app, chosen);
   add_verify(app, chosen);
   expect_no_empty_value(argc, argv);

@@ -43,9 +43,9 @@ int replay(const std::string& file, bool check, const Catalogue&) {
     return interrupted;
   }
   if (r.cut_off()) std::printf("%s: was cut off, and ends with its last whole step\n", file.c_str());
-  std::printf("%s: %s, %lld steps, %.4g s%s, state %s\n", file.c_str(), r.title().c_str(),
+  std::printf("%s: %s, %lld steps, %.4g s%s, state %s, motion %s\n", file.c_str(), r.title().c_str(),
               static_cast<long long>(r.steps()), r.world().time(), check ? ", every step as recorded" : "",
-              hex(r.world().hash()).c_str());
+              hex(r.world().hash()).c_str(), hex(r.world().motion_hash()).c_str());
   return 0;
 }
 

@@ -102,6 +102,7 @@ Json report(const Session& session, const Meter& meter) {
   j["quality"] = {{"penetration", {{"max", number(worst.penetration_max)}, {"mean", number(mean.penetration_mean)}}},
                   {"joint_gap", {{"max", number(worst.joint_gap_max)}, {"mean", number(mean.joint_gap_mean)}}}};
   j["hash"] = hex(world.hash());
+  j["motion_hash"] = hex(world.motion_hash());
   j["checks"] = Json::array();
   for (const Check::Entry& c : session.check().entries()) j["checks"].push_back(verdict(c));
   j["passed"] = nothing_failed(session.check());

@@ -63,8 +63,9 @@ Session start(const RunOptions& o, const Catalogue& catalogue) {
 
 void print(const Session& session, const Meter& meter) {
   const World& w = session.world();
-  std::printf("%s: %lld steps, %.4g s simulated, %.1f µs a step (median), state %s\n", session.entry().name,
-              static_cast<long long>(w.steps()), w.time(), meter.step_us_median(), hex(w.hash()).c_str());
+  std::printf("%s: %lld steps, %.4g s simulated, %.1f µs a step (median), state %s, motion %s\n",
+              session.entry().name, static_cast<long long>(w.steps()), w.time(), meter.step_us_median(),
+              hex(w.hash()).c_str(), hex(w.motion_hash()).c_str());
   for (const Check::Entry& c : session.check().entries()) {
     std::printf("  %s  %s", !c.pass ? "later " : *c.pass ? "ok    " : "FAILED", c.name.c_str());
     if (c.pass && c.op != "holds") {

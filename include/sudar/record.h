@@ -34,6 +34,8 @@ struct Divergence {
   Body body;                  // the first body, null where the difference is not a body's
 };
 
+struct RecordingDifference;
+
 class Replay {
  public:
   explicit Replay(Bytes recording);     // throws Error: not a recording, a version that is not known, cut short
@@ -45,8 +47,13 @@ class Replay {
   const World& world() const { return world_; }
   // Performs the next step; with `check`, compares with the recording.
   std::optional<Divergence> step(bool check = true);
+  static bool begins(std::span<const std::byte> file);  // as a recording does
 
  private:
+  friend std::optional<RecordingDifference> difference(Replay&, Replay&);  // difference.h
+  struct Step;
+  Step begin_step();  // does what was done before it
+  void end_step(const Step&);
   Bytes data_;
   std::size_t position_ = 0;
   std::int64_t steps_ = 0, next_ = 0;

@@ -53,6 +53,7 @@ class Session {
   explicit Session(const ScenarioEntry&, const Settings& = {});
   // Goes on where save() was called, in a new instance of the scenario.
   static Session load(const Catalogue&, std::span<const std::byte>);
+  static bool begins(std::span<const std::byte> file);        // as what save() returns does
 
   void step();                                                // control, World::step, observe
   const Check& finish();                                      // runs check(); no verdict on what was not reached

@@ -201,8 +201,8 @@ class World {
   Bytes save() const;
   // Replaces everything; throws Error and changes nothing when the data is bad. Recorded, as whatever changes a world.
   void load(std::span<const std::byte>);
-  std::uint64_t hash() const;             // of everything that can change a later bit
-  std::uint64_t motion_hash() const;        // of poses and velocities
+  std::uint64_t hash() const;         // of everything that can change a later bit, settings included
+  std::uint64_t motion_hash() const;  // of the poses and velocities of all bodies: equal across broad phases
 
   struct Impl;  // src/world/impl.h
   Impl& impl() { return *impl_; }

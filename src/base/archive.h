@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/hash.h"
+#include "base/leaves.h"
 
 #include <cstring>
 #include <optional>
@@ -16,33 +17,74 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-template <class T>
-concept Number = std::is_arithmetic_v<T> || std::is_enum_v<T>;
-
+// What is written, value by value. Subclasses keep the bytes, or hash them, or look at what they mean: one write() of a
+// type serves them all.
 class Writer {
  public:
-  void raw(const void* data, std::size_t size) {
-    const std::size_t end = bytes_.size();
-    bytes_.resize(end + size);
-    if (size > 0) std::memcpy(bytes_.data() + end, data, size);
-  }
-  template <Number T>
-  void value(T x) { raw(&x, sizeof x); }
-  void text(const std::string& s) {
-    value(std::uint64_t(s.size()));
-    raw(s.data(), s.size());
-  }
-  // An array of plain data without padding.
+  Writer() = default;
+  Writer(const Writer&) = delete;
+  virtual ~Writer() = default;
+
+  // Values of a type without padding, side by side.
   template <class T>
     requires std::is_trivially_copyable_v<T>
+  void plain(const T* values, std::size_t count) { put(values, count, plain_type<T>()); }
+  template <Number T>
+  void value(T x) { plain(&x, 1); }
+  virtual void text(const std::string& s) {
+    value(std::uint64_t(s.size()));
+    plain(s.data(), s.size());
+  }
+  template <class T>
   void array(const std::vector<T>& a) {
-    value(std::uint64_t(a.size()));
-    raw(a.data(), a.size() * sizeof(T));
+    put_count(a.size());
+    plain(a.data(), a.size());
+  }
+  // As array() does, what lies somewhere else: `row` of a number is one of them.
+  template <class T, class F>
+  void rows(std::size_t count, F row) {
+    put_count(count);
+    if (by_example() && count == 0) plain(std::array<T, 1>{}.data(), 1);
+    for (std::size_t i = 0; i < count; ++i) {
+      enter_element("", i);
+      plain(&row(i), 1);
+      leave();
+    }
+  }
+  // A part of a whole. The name is for those who look at the meaning.
+  template <class T>
+  void named(const char* name, const T& x) {
+    enter(name);
+    write(*this, x);
+    leave();
+  }
+  // Parts of one kind whose number is known: one for each slot.
+  template <class T>
+  void each(const char* name, const std::vector<T>& parts) {
+    if (by_example() && parts.empty()) named(name, T{});
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      enter_element(name, i);
+      write(*this, parts[i]);
+      leave();
+    }
   }
   // The visitor of describe().
   template <class T, class Rule>
-  void operator()(const char*, const T& x, const Rule&) { write(*this, x); }
+  void operator()(const char* name, const T& x, const Rule&) { named(name, x); }
+  // Whether all that could be there is to be written, an example of each kind.
+  virtual bool by_example() const { return false; }
 
+ protected:
+  virtual void put(const void* values, std::size_t count, const PlainType&) = 0;
+  virtual void put_count(std::uint64_t count) { value(count); }
+  virtual void enter(const char*) {}
+  virtual void enter_element(const char* name, std::size_t) { enter(name); }
+  virtual void leave() {}
+};
+
+// Keeps what is written.
+class ByteWriter : public Writer {
+ public:
   std::vector<std::byte> take() { return std::move(bytes_); }
   // Ends with a hash of all that was written, for unseal().
   std::vector<std::byte> take_sealed() {
@@ -50,9 +92,47 @@ class Writer {
     return take();
   }
   const std::vector<std::byte>& bytes() const { return bytes_; }
+  void raw(std::span<const std::byte> bytes) { put(bytes.data(), bytes.size(), plain_type<std::uint8_t>()); }
 
  private:
+  void put(const void* values, std::size_t count, const PlainType& type) override {
+    const std::size_t end = bytes_.size(), size = count * type.size;
+    bytes_.resize(end + size);
+    if (size > 0) std::memcpy(bytes_.data() + end, values, size);
+  }
   std::vector<std::byte> bytes_;
+};
+
+// Hashes what is written, in place.
+class HashWriter : public Writer {
+ public:
+  std::uint64_t hash() const { return hash_; }
+
+ private:
+  void put(const void* values, std::size_t count, const PlainType& type) override {
+    hash_ = hash_bytes(values, count * type.size, hash_);
+  }
+  std::uint64_t hash_ = 0;
+};
+
+// Hashes how things are written: names, types and their order, but no values.
+class LayoutWriter : public Writer {
+ public:
+  std::uint64_t layout() const { return hash_; }
+  bool by_example() const override { return true; }
+
+ private:
+  void put(const void*, std::size_t, const PlainType& type) override {
+    const std::vector<std::max_align_t> zero(type.size / sizeof(std::max_align_t) + 1);
+    Leaves leaves;
+    type.leaves(zero.data(), leaves);
+    add(std::to_string(type.size));
+    for (const Leaf& leaf : leaves) add(leaf.path + " " + leaf.type);
+  }
+  void enter(const char* name) override { add(std::string("{") + name); }
+  void leave() override { add("}"); }
+  void add(const std::string& word) { hash_ = hash_bytes(word.data(), word.size(), hash_); }
+  std::uint64_t hash_ = 0;
 };
 
 // Throws Error("data", …) where the bytes end too soon; a size that cannot be right is refused before memory is taken.
@@ -126,10 +206,14 @@ template <Number T>
 void read(Reader& r, T& x) { x = r.value<T>(); }
 inline void write(Writer& w, const std::string& s) { w.text(s); }
 inline void read(Reader& r, std::string& s) { s = r.text(); }
-inline void write(Writer& w, const std::vector<std::byte>& x) { w.array(x); }
-inline void read(Reader& r, std::vector<std::byte>& x) { r.array(x); }
+template <class T>
+void write(Writer& w, const std::vector<T>& x) { w.array(x); }
+template <class T>
+void read(Reader& r, std::vector<T>& x) { r.array(x); }
 template <class Tag>
-void write(Writer& w, const Handle<Tag>& h) { w.value(h.index), w.value(std::uint32_t(h.generation)); }
+void write(Writer& w, const Handle<Tag>& h) {
+  w.named("index", h.index), w.named("generation", std::uint32_t(h.generation));
+}
 template <class Tag>
 void read(Reader& r, Handle<Tag>& h) {
   h.index = r.value<std::uint32_t>();
@@ -149,7 +233,7 @@ void read(Reader& r, T& x) { describe(r, x); }
 template <class T>
 void write(Writer& w, const std::optional<T>& x) {
   w.value(std::uint8_t(x ? 1 : 0));
-  if (x) write(w, *x);
+  if (x || w.by_example()) write(w, x ? *x : T{});
 }
 template <class T>
 void read(Reader& r, std::optional<T>& x) {
@@ -161,6 +245,7 @@ void read(Reader& r, std::optional<T>& x) {
 template <class... T>
 void write(Writer& w, const std::variant<T...>& v) {
   w.value(std::uint32_t(v.index()));
+  if (w.by_example()) return (write(w, T{}), ...);
   std::visit([&](const auto& x) { write(w, x); }, v);
 }
 template <class... T>

@@ -41,9 +41,9 @@ class Slots {
     return h;
   }
 
-  friend void write(Writer& w, const Slots& s) { w.array(s.generation_), w.array(s.free_), w.value(s.live_); }
+  friend void write(Writer& w, const Slots& s) { w.named("live", s.live_), w.named("generation", s.generation_), w.named("free", s.free_); }
   friend void read(Reader& r, Slots& s) {
-    r.array(s.generation_), r.array(s.free_), s.live_ = r.value<std::uint32_t>();
+    s.live_ = r.value<std::uint32_t>(), r.array(s.generation_), r.array(s.free_);
     std::vector<bool> seen(s.generation_.size());
     for (const std::uint32_t i : s.free_) {
       if (i >= seen.size() || seen[i] || s.used(i) || s.generation_[i] >= last) throw Error("data", "frees a slot that is not free");

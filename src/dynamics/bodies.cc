@@ -93,7 +93,7 @@ Mat3 Bodies::inverse_inertia_world(std::uint32_t i) const {
 
 void write(Writer& w, const Bodies& b) {
   write(w, b.slots);
-#define FIELD(type, name, unit, stage) w.array(b.name);
+#define FIELD(type, name, unit, stage) w.named(#name, b.name);
 #include "dynamics/fields.def"
 }
 

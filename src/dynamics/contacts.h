@@ -12,6 +12,8 @@ struct ContactImpulse {
   std::array<Vec3, 4> friction{};
   Vec3 turning;  // of the whole contact: rolling and spinning resistance, N m s, world axes
 };
+template <class V, Like<ContactImpulse> T>
+void describe(V& v, T& d) { v("normal", d.normal, any), v("friction", d.friction, any), v("turning", d.turning, any); }
 static_assert(sizeof(ContactImpulse) == 19 * sizeof(Real), "saved as bytes");
 
 struct Contacts {
@@ -30,7 +32,7 @@ struct Contacts {
 
   friend void write(Writer& w, const Contacts& c) {
     write(w, c.slots);
-#define CONTACT_FIELD(type, name, unit, stage) w.array(c.name);
+#define CONTACT_FIELD(type, name, unit, stage) w.named(#name, c.name);
 #include "dynamics/fields.def"
   }
   friend void read(Reader& r, Contacts& c) {

@@ -104,7 +104,7 @@ double potential_energy(const Forces& forces, const Bodies& bodies) {
 
 void write(Writer& w, const Forces& f) {
   write(w, f.slots);
-  for (const Force& def : f.definition) write(w, def);
+  w.each("definition", f.definition);
 }
 
 void read(Reader& r, Forces& f) {

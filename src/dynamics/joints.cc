@@ -185,9 +185,9 @@ Real unwind(Real previous, Real value, Real period) {
 
 void write(Writer& w, const Joints& j) {
   write(w, j.slots);
-#define JOINT_FIELD(type, name, unit, stage) w.array(j.name);
+#define JOINT_FIELD(type, name, unit, stage) w.named(#name, j.name);
 #include "dynamics/fields.def"
-  for (const JointDef& def : j.definition) write(w, def);
+  w.each("definition", j.definition);
 }
 
 void read(Reader& r, Joints& j) {

@@ -15,6 +15,11 @@ struct JointImpulse {
   std::array<Real, 6> struck{};
   Real struck_limit = 0;
 };
+template <class V, Like<JointImpulse> T>
+void describe(V& v, T& d) {
+  v("rows", d.rows, any), v("low", d.low, any), v("high", d.high, any), v("drive", d.drive, any);
+  v("struck", d.struck, any), v("struck_limit", d.struck_limit, any);
+}
 
 struct Joints {
 #define JOINT_FIELD(type, name, unit, stage) std::vector<type> name;

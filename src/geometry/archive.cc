@@ -2,16 +2,21 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-void write(Writer& w, const Shape& shape) {
-  const Geometry& g = shape.geometry();
-  w.value(g.kind);
-  w.value(g.radius), w.value(g.half_length);
-  if (g.kind == ShapeKind::ellipsoid) write(w, g.radii);
-  w.array(g.hull.vertices);
-  w.value(std::uint64_t(g.hull.faces.size()));
-  for (const Polyhedron::Face& f : g.hull.faces) w.value(f.first), w.value(f.count);
-  w.array(g.hull.loops);
+namespace {
+
+void write(Writer& w, const Geometry& g) {
+  w.named("kind", g.kind);
+  w.named("radius", g.radius), w.named("half_length", g.half_length);
+  if (g.kind == ShapeKind::ellipsoid || w.by_example()) w.named("radii", g.radii);
+  w.named("vertices", g.hull.vertices);
+  w.named("faces", std::uint64_t(g.hull.faces.size()));
+  for (const Polyhedron::Face& f : g.hull.faces) w.named("first", f.first), w.named("count", f.count);
+  w.named("loops", g.hull.loops);
 }
+
+}
+
+void write(Writer& w, const Shape& shape) { write(w, w.by_example() ? Geometry{} : shape.geometry()); }
 
 void read(Reader& r, Shape& shape) {
   Geometry g;

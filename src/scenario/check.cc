@@ -56,7 +56,7 @@ bool Check::passed() const {
 }
 
 Bytes Check::save() const {
-  Writer w;
+  ByteWriter w;
   w.value(std::uint64_t(entries_.size()));
   for (const Entry& e : entries_) {
     w.text(e.name), w.text(e.op), w.text(e.unit);

@@ -79,7 +79,7 @@ bool Input::is_key(std::string_view key) {
 }
 
 Bytes Input::save() const {
-  Writer w;
+  ByteWriter w;
   for (const auto* keys : {&held_, &pressed_}) {
     w.value(std::uint64_t(keys->size()));
     for (const std::string& key : *keys) w.text(key);

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "base/archive.h"
+#include "base/file_header.h"
 #include "base/text.h"
+#include "world/impl.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -159,8 +160,8 @@ const Check& Session::finish() {
 }
 
 Bytes Session::save() const {
-  Writer w;
-  w.value(magic);
+  ByteWriter w;
+  write_header(w, magic, layout_of_state());
   w.text(entry_->name);
   w.value(std::uint64_t(params_.size()));
   for (const Params::Entry& p : params_) w.text(p.name), w.value(p.value);
@@ -175,11 +176,16 @@ Bytes Session::save() const {
   return w.take_sealed();
 }
 
+bool Session::begins(std::span<const std::byte> file) {
+  return file.size() >= sizeof magic && (Reader(file).value<std::uint64_t>() & kind) == (magic & kind);
+}
+
 Session Session::load(const Catalogue& catalogue, std::span<const std::byte> bytes) {
   Reader r(bytes);
-  const std::uint64_t word = r.left() < sizeof magic ? 0 : r.value<std::uint64_t>();
-  if ((word & kind) != (magic & kind)) throw Error("data", "is not a saved run");
-  if (word != magic) throw Error("version", "of the saved run is another one than this program reads");
+  if (begins(bytes) && !has_magic(bytes, magic)) {
+    throw Error("version", "of the saved run is another one than this program reads");
+  }
+  read_header(r, magic, layout_of_state(), "a saved run");
   r = Reader(unseal(bytes), r.position());
   Session s;
   s.entry_ = &catalogue.find(r.text());

@@ -25,8 +25,8 @@ class GeometryStore {
   std::uint32_t size() const { return std::uint32_t(shapes_.size()); }
 
   friend void write(Writer& w, const GeometryStore& s) {
-    w.value(std::uint64_t(s.shapes_.size()));
-    for (const Shape& shape : s.shapes_) write(w, shape);
+    w.named("count", std::uint64_t(s.shapes_.size()));
+    w.each("shape", s.shapes_);
   }
   friend void read(Reader& r, GeometryStore& s) {
     s.shapes_.resize(r.count(1));
@@ -40,9 +40,9 @@ class GeometryStore {
 
  private:
   static std::uint64_t hash_of(const Shape& shape) {
-    Writer w;
+    HashWriter w;
     write(w, shape);
-    return hash_bytes(w.bytes().data(), w.bytes().size());
+    return w.hash();
   }
 
   std::vector<Shape> shapes_;

@@ -23,6 +23,8 @@ struct SensorMemory {
   Pos position;    // of a
   Vec3d velocity;  // of a
 };
+template <class V, Like<SensorMemory> T>
+void describe(V& v, T& d) { v("value", d.value, any), v("position", d.position, any), v("velocity", d.velocity, any); }
 static_assert(sizeof(SensorMemory) == 7 * sizeof(double), "saved as bytes");
 
 // The material of a pair that the user set.
@@ -30,6 +32,8 @@ struct PairMaterial {
   ProxyPair key;  // body slots, the smaller one first
   Material material;
 };
+template <class V, Like<PairMaterial> T>
+void describe(V& v, T& d) { v("key", d.key, any), v("material", d.material, any); }
 static_assert(sizeof(PairMaterial) == 8 + sizeof(Material), "saved as bytes");
 
 // From 1 to Handle::worlds − 1, each call the next.
@@ -161,5 +165,8 @@ struct World::Impl {
   void check_state() const;  // throws Error("data", …) where something would be used that is not there
   std::uint64_t hash() const;
 };
+
+// How snapshots are written, as a number: changes with every field that they gain, lose or rename. See base/file_header.h.
+std::uint64_t layout_of_state();
 
 }

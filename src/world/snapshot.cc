@@ -1,6 +1,6 @@
-// Save, load, hash. A snapshot is a header with the world's number, the geometry, then the state in the order below; the
-// hash is of the state.
-#include "base/hash.h"
+// Save, load, hash. A snapshot is a header, the world's number, the geometry, then the state in the order below; the hash
+// is of the state.
+#include "base/file_header.h"
 #include "world/impl.h"
 #include "world/validate.h"
 
@@ -9,28 +9,19 @@ namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
 constexpr std::uint64_t magic = 0x31302e7261647573;  // "sudar.01" as bytes
-constexpr std::uint32_t version = 1;
-constexpr std::uint16_t precision = sizeof(Real);
-
-// Proxies have padding, so they go field by field; all but the box follows from the bodies.
-void write_proxies(Writer& w, const std::vector<Proxy>& proxies) {
-  for (const Proxy& p : proxies) w.raw(&p.box, sizeof p.box);
-}
-void read_proxies(Reader& r, const Bodies& bodies, std::vector<Proxy>& proxies) {
-  proxies.resize(bodies.size());
-  for (Proxy& p : proxies) r.raw(&p.box, sizeof p.box);
-}
 
 }
+
+// Of a proxy only its box is state: the rest follows from the bodies.
+void write(Writer& w, const Proxy& p) { w.named("low", p.box.low), w.named("high", p.box.high); }
+void read(Reader& r, Proxy& p) { read(r, p.box.low), read(r, p.box.high); }
 
 // Rows lie in the table as history left them; in a snapshot they lie by key.
-namespace {
-void write_pairs(Writer& w, const PairTable& pairs) {
+void write(Writer& w, const PairTable& pairs) {
   const std::vector<std::uint32_t> all = pairs.sorted();
-  w.value(std::uint64_t(all.size()));
-  for (const std::uint32_t p : all) w.raw(&pairs[p], sizeof(PairRow));
+  w.rows<PairRow>(all.size(), [&](std::size_t i) -> const PairRow& { return pairs[all[i]]; });
 }
-void read_pairs(Reader& r, std::uint32_t bodies, PairTable& pairs) {
+void read(Reader& r, std::uint32_t bodies, PairTable& pairs) {
   std::vector<PairRow> rows;
   r.array(rows);
   pairs.clear();
@@ -42,24 +33,24 @@ void read_pairs(Reader& r, std::uint32_t bodies, PairTable& pairs) {
     pairs[pairs.add(row.key)] = row;
   }
 }
-}
 
 void World::Impl::write_state(Writer& w) const {
   Config of_world = config;
   of_world.workers = 1;  // how many there are is the machine's, not the world's
-  write(w, of_world);
-  write(w, bodies);
-  for (const std::string& name : body_names) w.text(name);
-  w.array(pair_materials);
-  write(w, joints);
-  write(w, forces);
-  write(w, contacts);
-  write(w, sensor_slots);
-  for (const Sensor& s : sensors) write(w, s);
-  w.array(sensor_memory);
-  write_pairs(w, pairs);
-  write_proxies(w, proxies);
-  w.value(steps), w.value(clock_start), w.value(clock_step), w.value(clock_steps);
+  w.named("config", of_world);
+  w.named("bodies", bodies);
+  w.each("bodies.name", body_names);
+  w.named("pair_materials", pair_materials);
+  w.named("joints", joints);
+  w.named("forces", forces);
+  w.named("contacts", contacts);
+  w.named("sensor_slots", sensor_slots);
+  w.each("sensors", sensors);
+  w.named("sensor_memory", sensor_memory);
+  w.named("pairs", pairs);
+  w.each("bodies.fat_box", proxies);
+  w.named("steps", steps);
+  w.named("clock_start", clock_start), w.named("clock_step", clock_step), w.named("clock_steps", clock_steps);
 }
 
 void World::Impl::read_state(Reader& r) {
@@ -75,8 +66,9 @@ void World::Impl::read_state(Reader& r) {
   sensors.resize(sensor_slots.size());
   for (Sensor& s : sensors) read(r, s);
   r.array(sensor_memory);
-  read_pairs(r, bodies.size(), pairs);
-  read_proxies(r, bodies, proxies);
+  read(r, bodies.size(), pairs);
+  proxies.resize(bodies.size());
+  for (Proxy& p : proxies) read(r, p);
   steps = r.value<std::int64_t>(), clock_start = r.value<double>(), clock_step = r.value<double>();
   clock_steps = r.value<std::int64_t>();
   if (r.left() != 0) throw Error("data", "goes on after its end");
@@ -161,14 +153,23 @@ void World::Impl::check_state() const {
 }
 
 std::uint64_t World::Impl::hash() const {
-  Writer w;
+  HashWriter w;
   write_state(w);
-  return hash_bytes(w.bytes().data(), w.bytes().size());
+  return w.hash();
+}
+
+std::uint64_t layout_of_state() {
+  const World::Impl example(Config{}, 1);
+  LayoutWriter w;
+  write(w, example.geometry);
+  example.write_state(w);
+  return w.layout();
 }
 
 Bytes World::save() const {
-  Writer w;
-  w.value(magic), w.value(version), w.value(precision), w.value(std::uint16_t(impl_->number));
+  ByteWriter w;
+  write_header(w, magic, layout_of_state());
+  w.value(impl_->number);
   write(w, impl_->geometry);
   impl_->write_state(w);
   return w.take_sealed();
@@ -178,14 +179,8 @@ void World::load(std::span<const std::byte> bytes) { impl_->operate(Load{{bytes.
 
 void World::Impl::perform(const Load& op) {
   Reader r(op.state);
-  if (r.left() < sizeof magic || r.value<std::uint64_t>() != magic) throw Error("data", "is not a snapshot of a world");
-  if (const auto v = r.value<std::uint32_t>(); v != version) {
-    throw Error("version", "is " + std::to_string(v) + ", this program reads " + std::to_string(version));
-  }
-  if (const auto p = r.value<std::uint16_t>(); p != precision) {
-    throw Error("precision", std::string("is ") + (p == 4 ? "float" : "double") + ", this program has the other one");
-  }
-  const std::uint32_t saved = r.value<std::uint16_t>() % Body::worlds;
+  read_header(r, magic, layout_of_state(), "a snapshot of a world");
+  const std::uint32_t saved = r.value<std::uint32_t>() % Body::worlds;
   r = Reader(unseal(op.state), r.position(), saved);
   Impl fresh(Config{}, saved);
   read(r, fresh.geometry);

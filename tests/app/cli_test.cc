@@ -131,6 +131,58 @@ TEST_F(Cli, RunJsonIsAsDocumented) {
   EXPECT_EQ(j["hash"].get<std::string>().size(), 16u);
 }
 
+// The state covers the settings; the motion is the same with every broad phase.
+TEST_F(Cli, BroadPhasesMoveAlike) {
+  const auto run = [&](const char* broad) {
+    return Json::parse(sudar(std::string("run bouncing_boxes --steps 150 --json --broad ") + broad).out);
+  };
+  const Json tree = run("tree"), grid = run("grid");
+  EXPECT_EQ(tree["motion_hash"].get<std::string>().size(), 16u);
+  EXPECT_EQ(tree["motion_hash"], grid["motion_hash"]);
+  EXPECT_NE(tree["hash"], grid["hash"]);
+}
+
+// Two recordings or saved runs: the same, different from the beginning on, different by what the user did.
+TEST_F(Cli, DiffNamesTheFirstDifference) {
+  const auto record = [&](const char* name, const std::string& options) {
+    EXPECT_EQ(sudar("run vehicle --steps 60 " + options + " --record " + name + " --save " + name + ".run@60").code, 0);
+  };
+  record("plain", ""), record("again", ""), record("grid", "--broad grid"), record("gas", "--keys 0.2:up");
+  const Result same = sudar("diff plain again --json");
+  EXPECT_EQ(same.code, 0) << same.err;
+  EXPECT_EQ(Json::parse(same.out)["same"], true);
+  EXPECT_EQ(Json::parse(same.out)["steps"], 60);
+  EXPECT_EQ(sudar("diff plain.run again.run").code, 0);
+
+  const Result grid = sudar("diff plain grid --json");
+  EXPECT_EQ(grid.code, 1);
+  const Json setting = Json::parse(grid.out);
+  EXPECT_EQ(setting["same"], false);
+  EXPECT_EQ(setting["step"], 0);
+  EXPECT_EQ(setting["stage"], "start");
+  EXPECT_TRUE(setting["body"].is_null());
+  EXPECT_EQ(setting["field"], "config.broad");
+  EXPECT_EQ(setting["a"], "tree");
+  EXPECT_EQ(setting["b"], "grid");
+  EXPECT_EQ(Json::parse(sudar("diff plain.run grid.run --json").out)["field"], "config.broad");
+
+  const Result gas = sudar("diff plain gas --json");
+  EXPECT_EQ(gas.code, 1);
+  const Json operation = Json::parse(gas.out);
+  EXPECT_GT(operation["step"], 10);
+  EXPECT_EQ(operation["stage"], "operation");
+  EXPECT_NE(operation["a"], operation["b"]);
+  const std::string words = sudar("diff plain gas").out;
+  EXPECT_NE(words.find("step " + operation["step"].dump()), std::string::npos) << words;
+  EXPECT_NE(words.find(operation["field"].get<std::string>()), std::string::npos) << words;
+
+  for (const char* files : {"plain plain.run", "plain stdout", "plain nothing_here"}) {
+    const Result bad = sudar(std::string("diff ") + files);
+    EXPECT_EQ(bad.code, 2) << files;
+    EXPECT_NE(bad.err.find(std::string(files).substr(6)), std::string::npos) << bad.err;
+  }
+}
+
 TEST_F(Cli, BenchJsonIsAsDocumented) {
   const Result r = sudar("bench --thesis sticks --json");
   ASSERT_EQ(r.code, 0) << r.err;

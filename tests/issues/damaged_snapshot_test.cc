@@ -47,8 +47,8 @@ TEST(DamagedSnapshot, DoesNotCrashIfForged) {
   const std::size_t content = whole.size() - 8;
   int taken = 0, refused = 0;
   const auto load = [&](std::span<const std::byte> data) {
-    Writer sealed;
-    sealed.raw(data.data(), data.size());
+    ByteWriter sealed;
+    sealed.raw(data);
     World forged;
     try {
       forged.load(sealed.take_sealed());

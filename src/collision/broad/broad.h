@@ -21,6 +21,8 @@ struct ProxyPair {
   std::uint32_t a, b;  // a < b
   constexpr auto operator<=>(const ProxyPair&) const = default;
 };
+template <class V, Like<ProxyPair> T>
+void describe(V& v, T& d) { v("a", d.a, any), v("b", d.b, any); }
 
 constexpr bool may_touch(const Filter& a, const Filter& b) {
   if (a.group == b.group && a.group != 0) return a.group > 0;

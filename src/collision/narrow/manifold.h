@@ -1,7 +1,7 @@
 // How two shapes touch. Plain data without padding: manifolds are saved and hashed as bytes.
 #pragma once
 
-#include <sudar/math.h>
+#include <sudar/definitions.h>
 
 #include <array>
 #include <cstdint>
@@ -24,6 +24,14 @@ struct Manifold {
   std::int32_t count = 0;  // 0: no point nearer than the margin
   std::uint32_t bits = 0;  // has points; has them since the last collision; lost them then. Written by pairs.h
 };
+template <class V, Like<ManifoldPoint> T>
+void describe(V& v, T& d) {
+  v("at", d.at, any), v("separation", d.separation, any), v("feature", d.feature, any), v("match", d.match, any);
+}
+template <class V, Like<Manifold> T>
+void describe(V& v, T& d) {
+  v("normal", d.normal, any), v("points", d.points, any), v("count", d.count, any), v("bits", d.bits, any);
+}
 static_assert(sizeof(Manifold) == 19 * sizeof(Real) + 40, "no padding");
 
 // The axis that decided last time, tried first next time. It changes only the time that a collision takes, never its
@@ -31,5 +39,7 @@ static_assert(sizeof(Manifold) == 19 * sizeof(Real) + 40, "no padding");
 struct AxisCache {
   std::uint32_t kind = 0, a = 0, b = 0;
 };
+template <class V, Like<AxisCache> T>
+void describe(V& v, T& d) { v("kind", d.kind, any), v("a", d.a, any), v("b", d.b, any); }
 
 }

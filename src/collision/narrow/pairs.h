@@ -23,6 +23,10 @@ struct PairRow {
   std::uint32_t row = no_row;  // the owner's
   Manifold manifold;           // points relative to the position of proxy key.a, world axes; normal from b to a
 };
+template <class V, Like<PairRow> T>
+void describe(V& v, T& d) {
+  v("key", d.key, any), v("cache", d.cache, any), v("row", d.row, any), v("manifold", d.manifold, any);
+}
 static_assert(sizeof(PairRow) == sizeof(Manifold) + 24 && std::is_trivially_copyable_v<PairRow>, "no padding");
 
 // A half space among the proxies; its proxy is not `present` in the broad phase. Always fixed.

@@ -45,7 +45,7 @@ TEST(Slots, WearOut) {
   EXPECT_EQ(last.generation, Body::last_generation);
   EXPECT_FALSE(s.alive(first));
   EXPECT_EQ(s.live(), 1u);
-  Writer w;
+  ByteWriter w;
   write(w, s);
   Reader r(w.bytes());
   Slots restored;
@@ -69,7 +69,7 @@ TEST(Slots, SaveTheirOrder) {
     }
     EXPECT_EQ(s.live(), taken.size());
   }
-  Writer w;
+  ByteWriter w;
   write(w, s);
   Slots restored;
   Reader r(w.bytes());
@@ -85,8 +85,8 @@ TEST(Slots, SaveTheirOrder) {
 TEST(Slots, RefuseInconsistentData) {
   const auto load = [](const std::vector<std::uint32_t>& generations, const std::vector<std::uint32_t>& free,
                        std::uint32_t live) {
-    Writer w;
-    w.array(generations), w.array(free), w.value(live);
+    ByteWriter w;
+    w.value(live), w.array(generations), w.array(free);
     Reader r(w.bytes());
     Slots s;
     read(r, s);
@@ -100,7 +100,7 @@ TEST(Slots, RefuseInconsistentData) {
 }
 
 TEST(Archive, WritesAndReadsEveryKind) {
-  Writer w;
+  ByteWriter w;
   w.value(std::int32_t(-5)), w.value(2.5), w.value(true), w.value(Mix::max);
   w.text("čćžšđ"), w.array(std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
   const Force force = Drag{.body = {3, 1}, .linear = 2};
@@ -129,7 +129,7 @@ TEST(Archive, WritesAndReadsEveryKind) {
 }
 
 TEST(Archive, SaysWhereItEndsTooSoon) {
-  Writer w;
+  ByteWriter w;
   w.value(std::uint64_t(1) << 60);  // a count that cannot be
   Reader count(w.bytes());
   std::vector<double> array;
@@ -139,7 +139,7 @@ TEST(Archive, SaysWhereItEndsTooSoon) {
   Reader past(w.bytes());
   past.value<std::uint64_t>();
   EXPECT_THROW(past.value<std::uint8_t>(), Error);
-  Writer alternative;
+  ByteWriter alternative;
   alternative.value(std::uint32_t(99));
   Reader r(alternative.bytes());
   Force force;
@@ -147,7 +147,7 @@ TEST(Archive, SaysWhereItEndsTooSoon) {
 }
 
 TEST(Archive, SealsAgainstDamage) {
-  Writer w;
+  ByteWriter w;
   w.text("something to keep");
   const std::vector<std::byte> sealed = w.take_sealed();
   EXPECT_EQ(Reader(unseal(sealed)).text(), "something to keep");
@@ -164,7 +164,7 @@ TEST(Archive, SealsAgainstDamage) {
 // A shape is written as its own data; what is read is equal and has the same mass.
 TEST(Archive, Shapes) {
   for (const Shape& shape : {sphere(2), capsule(1, 3), half_space(), box({1, 2, 3}), dodecahedron(1)}) {
-    Writer w;
+    ByteWriter w;
     write(w, shape);
     Reader r(w.bytes());
     Shape copy;

@@ -111,8 +111,8 @@ TEST(Recording, NamesTheFirstDifference) {
   std::copy(other.begin(), other.end(), at);
   EXPECT_THROW(Replay{recording}, Error);  // its seal is broken
   recording.resize(recording.size() - 8);
-  Writer sealed;
-  sealed.raw(recording.data(), recording.size());
+  ByteWriter sealed;
+  sealed.raw(recording);
   Replay replay(sealed.take_sealed());
   std::optional<Divergence> difference;
   while (!replay.done() && !difference) difference = replay.step();

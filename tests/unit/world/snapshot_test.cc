@@ -147,7 +147,7 @@ TEST(Snapshot, RefusesForeignData) {
   EXPECT_EQ(refusal(Bytes(1000, std::byte{7})), "data: is not a snapshot of a world");
   Bytes data = World().save();
   data[8] = std::byte{99};
-  EXPECT_EQ(refusal(data), "version: is 99, this program reads 1");
+  EXPECT_EQ(refusal(data), "version: is 99, this program reads 2");
   data = World().save();
   data[12] = std::byte{sizeof(Real) == 4 ? 8 : 4};
   EXPECT_EQ(refusal(data), std::string("precision: is ") + (sizeof(Real) == 4 ? "double" : "float") +
