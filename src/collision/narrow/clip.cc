@@ -1,12 +1,12 @@
 #include "collision/narrow/clip.h"
 
 #include "collision/narrow/closest.h"
+#include "collision/narrow/flat.h"
 #include "collision/narrow/reduce.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
-constexpr Real flat_cosine = Real(0.99875);  // 2.9°
 constexpr Real thickness = Real(1e-4);       // of side planes, of the smaller hull's radius
 
 using Feature = std::uint32_t;
@@ -97,7 +97,7 @@ bool clip_faces(const FacePair& pair, const Vec3& n, Real margin, Real scale, Ma
     if (s < margin) points.push({c.at - up * (s * Real(0.5)), s, c.feature});
   }
   if (points.size() == 0) return false;
-  reduce(points.all(), n, Real(0.02) * max(margin, Real(0)), thickness * scale, out);
+  reduce(points.all(), n, scale, out);
   return true;
 }
 
@@ -143,7 +143,7 @@ void contact_region(const HullView& a, const HullView& b, const Axis& axis, Real
   out.count = 0;
   const std::uint32_t fa = axis.kind == Axis::face_a ? axis.a : most_along(a.faces, n);
   const std::uint32_t fb = axis.kind == Axis::face_b ? axis.b : most_along(b.faces, -n);
-  const bool flat = min(dot(a.faces[fa].normal, n), -dot(b.faces[fb].normal, n)) > flat_cosine;
+  const bool flat = min(dot(a.faces[fa].normal, n), -dot(b.faces[fb].normal, n)) > Real(flat_cosine);
   const Real scale = min(a.radius, b.radius);
   bool clipped = false;
   if (flat || axis.kind == Axis::face_a) {

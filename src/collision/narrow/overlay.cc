@@ -1,13 +1,12 @@
 #include "collision/narrow/overlay.h"
 
 #include "collision/narrow/closest.h"
+#include "collision/narrow/flat.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
 using namespace feature;
-
-constexpr double flat_sine = 0.05;  // 2.9°
 
 // Along the normal onto the plane of a flat patch.
 Vec3d onto(const Patch& flat, const Vec3d& x, const Vec3d& normal) {

@@ -1,11 +1,12 @@
 #include "collision/narrow/patch.h"
 
+#include "collision/narrow/flat.h"
+
 namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
 using namespace feature;
 
-constexpr double flat_sine = 0.05, flat_cosine = 0.99875;  // 2.9°
 // Below this sine the lowest point of a rim has no direction worth following.
 constexpr double level = 3e-4;
 

@@ -1,9 +1,10 @@
 #include "collision/narrow/round.h"
 
+#include "collision/narrow/flat.h"
+
 namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
-constexpr Real flat_sine = Real(0.05);  // 2.9°
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
 std::uint32_t end_of(Real t) { return t <= 0 ? 0 : t >= 1 ? 1 : 2; }
@@ -37,7 +38,7 @@ void collide_rounds(const Round& a, const Round& b, Real margin, Manifold& out) 
   };
 
   const Real aa = length_squared(a.axis.along), bb = length_squared(b.axis.along);
-  if (length_squared(cross(a.axis.along, b.axis.along)) < square(flat_sine) * aa * bb) {
+  if (length_squared(cross(a.axis.along, b.axis.along)) < square(Real(flat_sine)) * aa * bb) {
     // The stretch of a beside which b lies, and the points of b at right angles to its ends.
     const Real slope = dot(a.axis.along, b.axis.along) / aa;
     const Real base = dot(b.axis.start - a.axis.start, a.axis.along) / aa;
@@ -145,9 +146,9 @@ void collide_capsule_hull(const Round& capsule, const Polyhedron& hull, Real mar
   // The face that the capsule lies on, if it does: the stretch above the face touches in its two ends.
   const Polyhedron::Face* under = nullptr;
   for (const Polyhedron::Face& f : hull.faces) {
-    if (dot(f.normal, n) > 1 - square(flat_sine) / 2) under = &f;
+    if (dot(f.normal, n) > Real(flat_cosine)) under = &f;
   }
-  if (under && square(dot(n, s.along)) < square(flat_sine) * length_squared(s.along)) {
+  if (under && square(dot(n, s.along)) < square(Real(flat_sine)) * length_squared(s.along)) {
     Interval<Real> stretch;
     for (std::uint32_t k = 0; k < under->count; ++k) {
       const Vec3& from = hull.vertices[hull.loops[under->first + k]];
