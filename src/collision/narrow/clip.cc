@@ -1,5 +1,7 @@
 #include "collision/narrow/clip.h"
 
+#include <algorithm>
+
 #include "collision/narrow/closest.h"
 #include "collision/narrow/flat.h"
 #include "collision/narrow/reduce.h"
@@ -72,8 +74,21 @@ void cut(const Polygon& in, const Vec3& normal, Real offset, Real thick, std::ui
   }
 }
 
-// Clips and writes the points; false if none is left. `n` is the axis, from a to b.
-bool clip_faces(const FacePair& pair, const Vec3& n, Real margin, Real scale, Manifold& out) {
+using Points = SmallArray<ManifoldPoint, 64>;
+
+// visit(plane's outward normal, its offset) for each side of the prism that stands on a face along `up`.
+template <class Visit>
+void each_side(const HullView& hull, std::uint32_t face, const Vec3& up, Visit visit) {
+  const std::uint32_t count = hull.faces[face].count;
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const Vec3 start = hull.vertex(face, k), end = hull.vertex(face, k + 1 == count ? 0 : k + 1);
+    const Vec3 side = normalize(cross(end - start, up));
+    visit(k, side, dot(side, start));
+  }
+}
+
+// The incident face, clipped; separations along the axis. `n` is the axis, from a to b.
+void clip_faces(const FacePair& pair, const Vec3& n, Real margin, Real thick, Points& out) {
   const Polyhedron::Face &outer = pair.outer(), &inner = pair.inner();
   const std::size_t most = outer.count + inner.count;
   Polygon polygon(most), cut_polygon(most);
@@ -82,23 +97,34 @@ bool clip_faces(const FacePair& pair, const Vec3& n, Real margin, Real scale, Ma
   }
   const Vec3 up = pair.reference_is_a ? n : -n;
   Polygon *from = &polygon, *to = &cut_polygon;
-  for (std::uint32_t k = 0; k < outer.count; ++k) {
-    const Vec3 start = pair.reference.vertex(pair.reference_face, k);
-    const Vec3 end = pair.reference.vertex(pair.reference_face, k + 1 == outer.count ? 0 : k + 1);
-    const Vec3 side = normalize(cross(end - start, up));
-    cut(*from, side, dot(side, start), thickness * scale, k, pair, *to);
+  each_side(pair.reference, pair.reference_face, up, [&](std::uint32_t k, const Vec3& side, Real offset) {
+    cut(*from, side, offset, thick, k, pair, *to);
     std::swap(from, to);
-  }
+  });
 
-  SmallArray<ManifoldPoint, 64> points(most);
   const Real slope = 1 / dot(outer.normal, up);
   for (const Corner& c : *from) {
     const Real s = (dot(outer.normal, c.at) - outer.offset) * slope;
-    if (s < margin) points.push({c.at - up * (s * Real(0.5)), s, c.feature});
+    if (s < margin) out.push({c.at - up * (s * Real(0.5)), s, c.feature});
   }
-  if (points.size() == 0) return false;
-  reduce(points.all(), n, scale, out);
-  return true;
+}
+
+// What else of the incident hull is over the reference face: where many small faces meet, or the whole hull is smaller
+// than the margin, the vertices beside the incident face carry as well as its own.
+void other_vertices(const FacePair& pair, const Vec3& n, Real margin, Real thick, Points& out) {
+  const Polyhedron::Face &outer = pair.outer(), &inner = pair.inner();
+  const Vec3 up = pair.reference_is_a ? n : -n;
+  const Real slope = 1 / dot(outer.normal, up);
+  const auto own = std::span(pair.incident.shape->loops).subspan(inner.first, inner.count);
+  for (std::uint32_t v = 0; v < pair.incident.vertices.size(); ++v) {
+    const Vec3& at = pair.incident.vertices[v];
+    const Real s = (dot(outer.normal, at) - outer.offset) * slope;
+    if (!(s < margin) || std::find(own.begin(), own.end(), v) != own.end()) continue;
+    bool over = true;
+    each_side(pair.reference, pair.reference_face, up,
+              [&](std::uint32_t, const Vec3& side, Real offset) { over &= dot(side, at) - offset <= thick; });
+    if (over) out.push({at - up * (s * Real(0.5)), s, (pair.reference_is_a ? vertex_of_b : vertex_of_a) | v});
+  }
 }
 
 Real lowest(const Manifold& m) {
@@ -145,16 +171,23 @@ void contact_region(const HullView& a, const HullView& b, const Axis& axis, Real
   const std::uint32_t fb = axis.kind == Axis::face_b ? axis.b : most_along(b.faces, -n);
   const bool flat = min(dot(a.faces[fa].normal, n), -dot(b.faces[fb].normal, n)) > Real(flat_cosine);
   const Real scale = min(a.radius, b.radius);
-  bool clipped = false;
-  if (flat || axis.kind == Axis::face_a) {
-    clipped = clip_faces({a, b, fa, fb, true}, n, margin, scale, out);
-  } else if (axis.kind == Axis::face_b) {
-    clipped = clip_faces({b, a, fb, fa, false}, n, margin, scale, out);
+  const Real thick = thickness * scale;
+  const FacePair on_a{a, b, fa, fb, true}, on_b{b, a, fb, fa, false};
+  Points points(a.vertices.size() + b.vertices.size() + a.faces[fa].count + b.faces[fb].count);
+  const bool over_a = flat || axis.kind == Axis::face_a, over_b = flat || axis.kind == Axis::face_b;
+  if (over_a) {
+    clip_faces(on_a, n, margin, thick, points);
+  } else if (over_b) {
+    clip_faces(on_b, n, margin, thick, points);
   }
+  if (over_a) other_vertices(on_a, n, margin, thick, points);
+  if (over_b) other_vertices(on_b, n, margin, thick, points);
+  if (points.size() > 0) reduce(points.all(), n, scale, out);
+  const bool clipped = out.count > 0;
   // Hulls that overlap have a contact, even where the faces pass beside what is deepest. Hulls that do not, and whose
   // faces do not lie over each other either, are farther apart than the axis says, unless the two edges that decided it
   // do pass each other.
-  if (clipped && (axis.separation > 0 || lowest(out) <= axis.separation / 2 + thickness * scale)) return;
+  if (clipped && (axis.separation > 0 || lowest(out) <= axis.separation / 2 + thick)) return;
   const ManifoldPoint point = single_point(a, b, axis, margin);
   if (point.separation < margin) out.points[0] = point, out.count = 1;
 }
