@@ -117,7 +117,7 @@ class Reduction {
   // Keeps the corners that span a facet about the first point.
   void span(const Sight& corners) {
     const auto farthest = [&](auto distance) {
-      return next(corners, merge_, 0, distance, [](const Seen&) { return Real(0); }).point;
+      return next(corners, merge_, tie_, distance, [](const Seen&) { return Real(0); }).point;
     };
     const Seen* far = farthest([](const Seen& s) { return length(s.off); });
     if (!far) return;
