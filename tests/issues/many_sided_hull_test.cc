@@ -1,7 +1,7 @@
 // Many-sided hulls that are small against the margin within which contacts are made (10 mm) sank by the height of a row
-// of vertices or more, gained energy and rocked for ever: all their vertices were candidates, and the outermost four were
-// kept, not those that carry. On half spaces a 5 cm prism sank by 0.4 of its radius and gained 0.13 of its weight times
-// its radius; on boxes only the corners of one face were ever seen.
+// of vertices or more, gained energy and rocked for ever: all their vertices were candidates, and the outermost four
+// were kept, not those that carry. On half spaces a 5 cm prism sank by 0.4 of its radius and gained 0.13 of its weight
+// times its radius; on boxes only the corners of one face were ever seen.
 #include "unit/worlds.h"
 
 #include <string>
@@ -48,10 +48,14 @@ constexpr StartPose poses[] = {StartPose::lying, StartPose::standing, StartPose:
 
 Quat turn_of(StartPose pose) {
   switch (pose) {
-    case StartPose::lying: return axis_angle(Vec3{0, 0, 1}, Real(1.5707963));
-    case StartPose::askew: return axis_angle(normalize(Vec3{1, 2, 3}), Real(1.1));
-    case StartPose::tilted: return axis_angle(normalize(Vec3{1, Real(0.1), Real(0.3)}), Real(0.06));
-    case StartPose::standing: break;
+    case StartPose::lying:
+      return axis_angle(Vec3{0, 0, 1}, Real(1.5707963));
+    case StartPose::askew:
+      return axis_angle(normalize(Vec3{1, 2, 3}), Real(1.1));
+    case StartPose::tilted:
+      return axis_angle(normalize(Vec3{1, Real(0.1), Real(0.3)}), Real(0.06));
+    case StartPose::standing:
+      break;
   }
   return {0, 0, 0, 1};
 }
@@ -72,7 +76,10 @@ Outcome land(const Shape& shape, Real r, StartPose pose, Floor floor, int subste
   } else {
     if (floor == Floor::heavy_box) add_floor(w, -1, m);
     const bool many = floor == Floor::hull, heavy = floor == Floor::heavy_box;
-    w.add({.shape = many ? prism(12, 2, 1) : box({4, 1, 4}), .at = {0, -0.5, 0}, .density = 1000, .material = m,
+    w.add({.shape = many ? prism(12, 2, 1) : box({4, 1, 4}),
+           .at = {0, -0.5, 0},
+           .density = 1000,
+           .material = m,
            .motion = heavy ? Motion::dynamic : Motion::fixed});
   }
   const auto lowest = [&](const Pose& at) {
@@ -81,8 +88,11 @@ Outcome land(const Shape& shape, Real r, StartPose pose, Floor floor, int subste
     return low;
   };
   const Quat turn = turn_of(pose);
-  const Body body = w.add({.shape = shape, .at = {0, 0.5 * double(r) - lowest({{}, turn}), 0}, .turn = turn,
-                           .density = 1000, .material = m});
+  const Body body = w.add({.shape = shape,
+                           .at = {0, 0.5 * double(r) - lowest({{}, turn}), 0},
+                           .turn = turn,
+                           .density = 1000,
+                           .material = m});
   const Real fall = sqrt(Real(9.81) * r), spin = sqrt(Real(9.81) / r);
   if (pose == StartPose::askew) {
     w.set_velocity(body, {Real(0.3) * fall, 0, 0}, {Real(0.3) * spin, Real(0.2) * spin, Real(-0.5) * spin});
@@ -115,8 +125,8 @@ TEST_P(ManySidedHull, RestsOnItsLowestVerticesOnEveryFloor) {
     for (const StartPose pose : poses) {
       for (const Floor floor : floors) {
         const Outcome out = land(form.shape, r, pose, floor, substeps, 2);
-        const std::string which = form.name + ", pose " + std::to_string(int(pose)) + ", on a " +
-                                  floor_names[int(floor)];
+        const std::string which =
+            form.name + ", pose " + std::to_string(int(pose)) + ", on a " + floor_names[int(floor)];
         EXPECT_LT(out.depth, 0.02) << which;
         EXPECT_LT(out.gained, 0.001) << which;
       }

@@ -9,7 +9,7 @@
 namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
-constexpr Real thickness = Real(1e-4);       // of side planes, of the smaller hull's radius
+constexpr Real thickness = Real(1e-4);  // of side planes, of the smaller hull's radius
 
 using Feature = std::uint32_t;
 constexpr Feature vertex_of_a = 0, vertex_of_b = 1u << 30, crossing = 2u << 30, fifteen_bits = 0x7fff;

@@ -46,8 +46,8 @@ struct Next {
   Real slope = 0;  // its rise by its distance
 };
 
-// Of the points farther than `least`: how far each overlaps after a turn by 2.9°, or by as much as the first touch needs;
-// of those that overlap most, the farthest.
+// Of the points farther than `least`: how far each overlaps after a turn by 2.9°, or by as much as the first touch
+// needs; of those that overlap most, the farthest.
 template <class Distance, class Rise>
 Next next(const Sight& sight, Real least, Real tie, Distance distance, Rise rise) {
   Real lowest = steepest;
@@ -87,7 +87,8 @@ class Reduction {
   void run() {
     keep(first_);
     const auto rise = [](const Seen& s) { return s.rise; };
-    const Next second = next(sight_, merge_, tie_, [](const Seen& s) { return length(s.off); }, rise);
+    const Next second = next(
+        sight_, merge_, tie_, [](const Seen& s) { return length(s.off); }, rise);
     if (!second.point) return;
     const Vec3 along = normalize(second.point->off), across = cross(normal_, along);
     const auto above_edge = [&](const Seen& s) { return s.rise - second.slope * dot(along, s.off); };
