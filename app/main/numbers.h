@@ -7,7 +7,7 @@
 
 namespace sudar::app {
 
-inline constexpr Range simulated_time{0, 1e9};  // s: thirty years
+inline constexpr Range simulated_time{0, 1e12};  // s: thirty thousand years, for those who watch planets
 
 // A number within the range and nothing else. Throw Error naming `what`, what was given and what was expected.
 double parse_number(const std::string& what, const std::string& text, const Range& = any);

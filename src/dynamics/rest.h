@@ -16,7 +16,11 @@ void watch_rest(Bodies&, std::span<const std::uint32_t> awake, Real length_unit,
 // joint pulls. What is left of their speed is the noise of a solver that has not converged, as in tall towers. By slot.
 class HeldByFaces {
  public:
-  explicit HeldByFaces(std::uint32_t bodies) : pressed_(bodies, 0), loose_(bodies, 0) {}
+  // Before the contacts and joints of a sub-step: who may be asked about.
+  void reset(std::uint32_t slots, std::span<const std::uint32_t> awake) {
+    if (pressed_.size() < slots) pressed_.resize(slots), loose_.resize(slots);
+    for (const std::uint32_t i : awake) pressed_[i] = loose_[i] = 0;
+  }
   void contact(std::uint32_t a, std::uint32_t b, const ContactImpulse& impulse, bool slipping);
   void joint(std::uint32_t a, std::uint32_t b);
   bool operator[](std::uint32_t i) const { return pressed_[i] != 0 && loose_[i] == 0; }

@@ -58,7 +58,7 @@ void Catalogue::add(const ScenarioEntry* entry) {
   const bool whole = entry->name != nullptr && *entry->name != '\0' && entry->place != nullptr &&
                      entry->about != nullptr && entry->create != nullptr && entry->destroy != nullptr;
   if (!whole) throw Error("plugin", "has an entry with holes");
-  if (!(entry->seconds >= 0 && entry->seconds <= 1e9 && entry->picture >= 0 && entry->picture <= 1e9)) {
+  if (!(entry->seconds >= 0 && entry->seconds <= 1e12 && entry->picture >= 0 && entry->picture <= 1e12)) {
     throw Error("plugin", "lasts no time that can be run");
   }
   for (const ScenarioEntry* e : entries_) {

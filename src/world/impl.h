@@ -11,6 +11,7 @@
 #include "collision/broad/broad.h"
 #include "collision/narrow/pairs.h"
 #include "dynamics/impulse_2007.h"
+#include "dynamics/rest.h"
 #include "dynamics/sleepers.h"
 #include "world/geometry_store.h"
 #include "world/ops.h"
@@ -78,6 +79,7 @@ struct World::Impl {
   std::vector<std::uint32_t> hollows;       // bodies that are hollow, ascending
   PendingSet awake_bodies, moving_kinematic, awake_joints;
   Sleepers sleepers;
+  HeldByFaces held_by_faces;
   std::vector<std::uint32_t> pushed;        // bodies whose force or torque may not be 0
   std::vector<std::uint32_t> awake, smooth, kinematic, active_joints;
   std::vector<Pose> shape_poses;            // by body slot

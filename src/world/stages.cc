@@ -257,7 +257,8 @@ void sleep(World::Impl& w) {
   Bodies& b = w.bodies;
   watch_rest(b, w.awake, w.config.length_unit, Real(w.h));
   if (!w.config.sleep || w.awake.empty()) return;
-  HeldByFaces held(b.size());
+  HeldByFaces& held = w.held_by_faces;
+  held.reset(b.size(), w.awake);
   for (const ActiveContact& c : w.active_contacts) {
     held.contact(c.a, c.b, w.contacts.impulse[c.slot], w.contacts.slipping[c.slot] != 0);
   }
