@@ -24,14 +24,21 @@ void Pool::run(std::uint32_t n, void* task, Call call) {
   left_.store(n, std::memory_order_relaxed);
   const std::uint32_t number = loop_.load(std::memory_order_relaxed) + 1;
   open_.store(std::uint64_t(number) << 32 | n, std::memory_order_release);
-  loop_.store(number, std::memory_order_release);
-  loop_.notify_all();
+  ring(number);
   work(0);
   // Whoever took a task is running: it is not long now.
   for (int spin = 0; left_.load(std::memory_order_acquire) != 0; ++spin) {
     if (spin < spins) pause();
     else std::this_thread::yield();
   }
+}
+
+void Pool::ring(std::uint32_t loop) {
+  {
+    const std::lock_guard lock(door_);
+    loop_.store(loop, std::memory_order_release);
+  }
+  bell_.notify_all();
 }
 
 // Takes tasks while there are any.
@@ -50,7 +57,10 @@ void Pool::serve(std::uint32_t worker, std::uint32_t seen) {
   const FloatState defaults;
   while (true) {
     for (int spin = 0; spin < spins && loop_.load(std::memory_order_acquire) == seen; ++spin) pause();
-    loop_.wait(seen, std::memory_order_acquire);
+    if (loop_.load(std::memory_order_acquire) == seen) {
+      std::unique_lock lock(door_);
+      bell_.wait(lock, [&] { return loop_.load(std::memory_order_acquire) != seen; });
+    }
     seen = loop_.load(std::memory_order_acquire);
     if (stopping_.load(std::memory_order_acquire)) return;
     work(worker);
@@ -59,8 +69,7 @@ void Pool::serve(std::uint32_t worker, std::uint32_t seen) {
 
 void Pool::stop() {
   stopping_.store(true, std::memory_order_release);
-  loop_.fetch_add(1, std::memory_order_acq_rel);
-  loop_.notify_all();
+  ring(loop_.load(std::memory_order_relaxed) + 1);
   for (std::thread& t : threads_) t.join();
   threads_.clear();
   stopping_.store(false, std::memory_order_release);

@@ -8,8 +8,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
-#include <memory>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -53,6 +54,7 @@ class Pool {
   using Call = void (*)(void* task, std::uint32_t worker, std::uint32_t i);
 
   void run(std::uint32_t n, void* task, Call call);
+  void ring(std::uint32_t loop);
   void work(std::uint32_t worker);
   void serve(std::uint32_t worker, std::uint32_t seen);
   void stop();
@@ -62,7 +64,9 @@ class Pool {
   // A loop's number in the upper half, how many of its tasks nobody has taken in the lower: whoever takes one has
   // taken it from this loop and no other.
   std::atomic<std::uint64_t> open_{0};
-  std::atomic<std::uint32_t> loop_{0};  // the number again, to sleep on
+  std::atomic<std::uint32_t> loop_{0};  // the number again; changed with the door locked, so that no sleeper misses it
+  std::mutex door_;
+  std::condition_variable bell_;
   std::atomic<std::uint32_t> left_{0};  // tasks that are not done
   std::atomic<bool> stopping_{false};
   // Of the loop at work; written while it has no tasks.
