@@ -189,7 +189,13 @@ class WindowTest(unittest.TestCase):
                     break
                 self.click(wheel)
                 self.next_pictures()
-        left, top, right, bottom = self.until(lambda s: widget in s["places"], f"{widget} is seen")["places"][widget]
+        s = self.until(lambda s: widget in s["places"], f"{widget} is seen")
+        left, top, right, bottom = s["places"][widget]
+        floor = s["area"][1] + s["area"][3]  # of the side panel as of the picture beside it
+        if right < s["area"][0] and bottom > floor:  # half of it is under the edge
+            self.xdotool("mousemove", 150, HEIGHT - 50)
+            self.click(5)
+            left, top, right, bottom = self.next_pictures()["places"][widget]
         return int(left + share * (right - left)), (top + bottom) // 2
 
     def press(self, widget, share=0.5):
