@@ -50,15 +50,18 @@ void evaluate(const Forces& forces, const Bodies& bodies, std::span<const std::u
   std::vector<const Thruster*> thrusters;  // by body, then in the order of forces
   for_each<Thruster>(forces, [&](const Thruster& f) { thrusters.push_back(&f); });
   if (thrusters.empty()) return;
-  const auto by_body = [](const Thruster* f) { return f->body.index; };
-  std::ranges::stable_sort(thrusters, {}, by_body);
+  const auto by_body = [](const Thruster* f, const Thruster* g) { return f->body.index < g->body.index; };
+  std::stable_sort(thrusters.begin(), thrusters.end(), by_body);
   for (std::size_t k = 0; k < which.size(); ++k) {
     const std::uint32_t i = which[k];
-    for (const Thruster* f : std::ranges::equal_range(thrusters, i, {}, by_body)) {
+    Thruster here;
+    here.body.index = i;
+    const auto [first, last] = std::equal_range(thrusters.begin(), thrusters.end(), &here, by_body);
+    for (auto f = first; f != last; ++f) {
       const Quat& q = bodies.orientation[i];
-      const Vec3 force = rotate(q, rotate(bodies.shape_frame[i].q, f->force));
+      const Vec3 force = rotate(q, rotate(bodies.shape_frame[i].q, (*f)->force));
       out[k].force += force;
-      out[k].torque += cross(rotate(q, bodies.shape_frame[i].point(f->at)), force);
+      out[k].torque += cross(rotate(q, bodies.shape_frame[i].point((*f)->at)), force);
     }
   }
 }

@@ -1,6 +1,8 @@
 // The components of the joint graph as an island's solver meets them.
 #pragma once
 
+#include <algorithm>
+
 #include "dynamics/sub_step.h"
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -17,9 +19,9 @@ inline std::vector<JointGroup> joint_groups(const SubStep& s) {
   for (const std::uint32_t first : slots) {
     JointComponent& component = s.in.joint_graph.component(first);
     if (component.joints.front() != first) continue;  // met before
-    JointGroup& group = groups.emplace_back(&component, std::vector<std::uint32_t>{});
+    groups.push_back({&component, {}});
     for (const std::uint32_t j : component.joints) {
-      group.joints.push_back(std::uint32_t(std::ranges::lower_bound(slots, j) - slots.begin()));
+      groups.back().joints.push_back(std::uint32_t(std::ranges::lower_bound(slots, j) - slots.begin()));
     }
   }
   return groups;
