@@ -17,13 +17,13 @@ World heaps(int workers) {
   w.add(Gravity{});
   add_floor(w);
   const Body carrier = w.add({.shape = box({1, 1, 1}), .at = {0, 30, 0}, .spin = {0, 1, 0}, .motion = Motion::kinematic});
-  for (int heap = 0; heap < 12; ++heap) {
+  for (int heap = 0; heap < 6; ++heap) {
     const double x = 6 * (heap % 6), z = 6 * (heap / 6) + 8;
     for (int k = 0; k < 8; ++k) w.add(cube({x + 0.1 * (k % 3), 0.6 + 1.1 * k, z}));
-    Body above = heap % 5 == 0 ? carrier : Body{};
+    Body above = heap % 3 == 0 ? carrier : Body{};
     for (int k = 0; k < 3; ++k) {
       const Body link = w.add({.shape = sphere(Real(0.2)), .at = {x + 0.6 * k, 30, z}});
-      if (k > 0 || heap % 5 == 0) w.join(Ball{.a = above, .b = link, .at = {x + 0.6 * k - 0.3, 30, z}});
+      if (k > 0 || heap % 3 == 0) w.join(Ball{.a = above, .b = link, .at = {x + 0.6 * k - 0.3, 30, z}});
       above = link;
     }
   }
@@ -35,7 +35,7 @@ TEST(Workers, ChangeNoBit) {
   for (const int workers : {1, 2, 3, 5}) {
     World w = heaps(workers);
     std::uint64_t all = 0;
-    for (int i = 0; i < 80; ++i) {
+    for (int i = 0; i < 25; ++i) {
       w.step();
       all = all * 31 + w.hash() + w.events().hits.size() * 7 + w.events().begun.size();
     }
