@@ -1,9 +1,7 @@
 // Every scenario has the same bits with every broad phase.
-#include "scenarios/catalogue.h"
+#include "scenarios/every_scenario.h"
 
 #include "broad_kinds.h"
-
-#include <gtest/gtest.h>
 
 using namespace sudar;
 
@@ -21,25 +19,11 @@ Hashes run(const ScenarioEntry& entry, Broad kind) {
   return {motion, hash_without_broad(session.world())};
 }
 
-class SameBits : public testing::Test {
- public:
-  explicit SameBits(const ScenarioEntry& entry) : entry_(entry) {}
-  void TestBody() override {
-    const Hashes expected = run(entry_, Broad::brute);
-    for (const Broad kind : broad_kinds()) EXPECT_TRUE(run(entry_, kind) == expected) << name_of(kind);
-  }
-
- private:
-  const ScenarioEntry& entry_;
-};
+void same_bits(const ScenarioEntry& entry) {
+  const Hashes expected = run(entry, Broad::brute);
+  for (const Broad kind : broad_kinds()) EXPECT_TRUE(run(entry, kind) == expected) << name_of(kind);
+}
 
 }
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  for (const ScenarioEntry* entry : scenarios().all()) {
-    testing::RegisterTest(entry->name, "same_bits", nullptr, nullptr, __FILE__, __LINE__,
-                          [entry]() -> testing::Test* { return new SameBits(*entry); });
-  }
-  return RUN_ALL_TESTS();
-}
+int main(int argc, char** argv) { return test_every_scenario(argc, argv, same_bits); }

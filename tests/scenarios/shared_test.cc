@@ -1,7 +1,5 @@
 // Every scenario has the same bits, whoever shares its steps.
-#include "scenarios/catalogue.h"
-
-#include <gtest/gtest.h>
+#include "scenarios/every_scenario.h"
 
 using namespace sudar;
 
@@ -13,25 +11,11 @@ std::uint64_t run(const ScenarioEntry& entry, int workers) {
   return session.world().hash();
 }
 
-class SameBits : public testing::Test {
- public:
-  explicit SameBits(const ScenarioEntry& entry) : entry_(entry) {}
-  void TestBody() override {
-    const std::uint64_t expected = run(entry_, 1);
-    for (const int workers : {2, 3, 5}) EXPECT_EQ(run(entry_, workers), expected) << workers << " workers";
-  }
-
- private:
-  const ScenarioEntry& entry_;
-};
+void same_bits(const ScenarioEntry& entry) {
+  const std::uint64_t expected = run(entry, 1);
+  for (const int workers : {2, 3, 5}) EXPECT_EQ(run(entry, workers), expected) << workers << " workers";
+}
 
 }
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  for (const ScenarioEntry* entry : scenarios().all()) {
-    testing::RegisterTest(entry->name, "same_bits", nullptr, nullptr, __FILE__, __LINE__,
-                          [entry]() -> testing::Test* { return new SameBits(*entry); });
-  }
-  return RUN_ALL_TESTS();
-}
+int main(int argc, char** argv) { return test_every_scenario(argc, argv, same_bits); }

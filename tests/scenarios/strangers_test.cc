@@ -1,8 +1,6 @@
 // What happens a kilometre away changes no bit: every scenario moves alone as it does beside strangers that fly, collapse,
-// swing and sleep. (Not where bodies attract each other from afar: then there are no strangers.)
-#include "scenarios/catalogue.h"
-
-#include <gtest/gtest.h>
+// swing and sleep. (Not where bodies attract each other from afar: there a stranger is felt.)
+#include "scenarios/every_scenario.h"
 
 #include <cstring>
 
@@ -26,8 +24,9 @@ void add_strangers(World& w) {
     return w.add({.shape = box({0.5, 0.5, 0.5}), .at = {x + dx, y, z + dz}, .filter = filter});
   };
   w.add({.shape = box({20, 1, 20}), .at = {x, -50.5, z}, .filter = filter, .motion = Motion::fixed});
-  w.add({.shape = sphere(Real(0.1)), .at = {x - 8, -49, z}, .velocity = {60, 0, 0}, .filter = filter});  // a bullet
-  for (int k = 0; k < 12; ++k) cube(0.2 * (k % 3), -49 + 0.6 * k, 0.15 * (k % 2));                     // a heap
+  const Pos muzzle{x - 8, -49, z};  // of a bullet
+  w.add({.shape = sphere(Real(0.1)), .at = muzzle, .velocity = {60, 0, 0}, .filter = filter});
+  for (int k = 0; k < 12; ++k) cube(0.2 * (k % 3), -49 + 0.6 * k, 0.15 * (k % 2));  // a heap
   cube(6, -49.75, 6);  // at rest
   Body above;          // a chain
   for (int k = 0; k < 4; ++k) {
@@ -52,32 +51,18 @@ std::vector<Pose> run(const ScenarioEntry& entry, bool strangers) {
   return poses;
 }
 
-class Strangers : public testing::Test {
- public:
-  explicit Strangers(const ScenarioEntry& entry) : entry_(entry) {}
-  void TestBody() override {
-    if (attracts_from_afar(Session(entry_, {}).world())) GTEST_SKIP() << "bodies attract each other from afar";
-    const std::vector<Pose> alone = run(entry_, false), beside = run(entry_, true);
-    ASSERT_EQ(alone.size(), beside.size());
-    std::size_t different = 0;
-    for (std::size_t i = 0; i < alone.size(); ++i) {
-      different += std::memcmp(&alone[i].p, &beside[i].p, sizeof alone[i].p) != 0 ||
-                   std::memcmp(&alone[i].q, &beside[i].q, sizeof alone[i].q) != 0;
-    }
-    EXPECT_EQ(different, 0u) << "of " << alone.size() << " poses";
+void same_bits(const ScenarioEntry& entry) {
+  if (attracts_from_afar(Session(entry, {}).world())) GTEST_SKIP() << "bodies attract each other from afar";
+  const std::vector<Pose> alone = run(entry, false), beside = run(entry, true);
+  ASSERT_EQ(alone.size(), beside.size());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    different += std::memcmp(&alone[i].p, &beside[i].p, sizeof alone[i].p) != 0 ||
+                 std::memcmp(&alone[i].q, &beside[i].q, sizeof alone[i].q) != 0;
   }
-
- private:
-  const ScenarioEntry& entry_;
-};
+  EXPECT_EQ(different, 0u) << "of " << alone.size() << " poses";
+}
 
 }
 
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  for (const ScenarioEntry* entry : scenarios().all()) {
-    testing::RegisterTest(entry->name, "same_bits", nullptr, nullptr, __FILE__, __LINE__,
-                          [entry]() -> testing::Test* { return new Strangers(*entry); });
-  }
-  return RUN_ALL_TESTS();
-}
+int main(int argc, char** argv) { return test_every_scenario(argc, argv, same_bits); }
