@@ -1,5 +1,6 @@
 // What happens a kilometre away changes no bit: every scenario moves alone as it does beside strangers that fly, collapse,
-// swing and sleep. (Not where bodies attract each other from afar: there a stranger is felt.)
+// swing and sleep. Where bodies attract each other from afar every stranger is felt: there they are grains whose pull is
+// lost in the rounding of the others' sums.
 #include "scenarios/every_scenario.h"
 
 #include <cstring>
@@ -36,11 +37,23 @@ void add_strangers(World& w) {
   }
 }
 
+// Two grains that meet. They stay in the plane of the planets: above it they would lift what is at a height of exactly
+// 0, where nothing is too small to be felt (by 10⁻³⁴ in solar_system).
+void add_grains(World& w) {
+  const double step = w.config().dt * double(w.config().time_factor);
+  for (const double side : {-1.0, 1.0}) {
+    w.add({.shape = sphere(1),
+           .at = {20000 + 5 * side, 0, 15000},
+           .velocity = {Real(-side / step), 0, 0},
+           .mass = Real(1e-20)});
+  }
+}
+
 std::vector<Pose> run(const ScenarioEntry& entry, bool strangers) {
   Session session(entry, {});
   World& w = session.world();
   const std::vector<Body> own = w.bodies();
-  if (strangers) add_strangers(w);
+  if (strangers) attracts_from_afar(w) ? add_grains(w) : add_strangers(w);
   std::vector<Pose> poses;
   for (int i = 0; i < steps; ++i) {
     session.step();
@@ -52,7 +65,6 @@ std::vector<Pose> run(const ScenarioEntry& entry, bool strangers) {
 }
 
 void same_bits(const ScenarioEntry& entry) {
-  if (attracts_from_afar(Session(entry, {}).world())) GTEST_SKIP() << "bodies attract each other from afar";
   const std::vector<Pose> alone = run(entry, false), beside = run(entry, true);
   ASSERT_EQ(alone.size(), beside.size());
   std::size_t different = 0;
