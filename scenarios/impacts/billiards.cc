@@ -74,7 +74,8 @@ struct Billiards : Scenario {
     const double braking = friction * gravity, exact = sqrt(square(double(speed)) - 2 * braking * 19);
     c.near("the cue ball hits", hit, (speed - exact) / braking, 0.02, "s");
     c.near("its speed then", arrival, exact, 0.001 * exact, "m/s");
-    c.near("its spin then", spin, 2.5 * braking * hit, 0.01 * spin, "rad/s");
+    const double wound = 2.5 * (speed - exact);  // 5/2 μ g t, as (speed − exact) = μ g t
+    c.near("its spin then", spin, wound, 0.01 * wound, "rad/s");
     int moved = 0;
     for (std::size_t i = 0; i < balls.size(); ++i) moved += horizontal_distance(w[balls[i]].center(), racked[i]) > 0.5;
     c.above("balls that moved", moved, 0.5 * double(balls.size()));

@@ -71,7 +71,8 @@ struct SuspensionBridge : Scenario {
   void check(const World& w, Check& c) override {
     c.above("the ball meets the bridge after", met, 0, "s");
     // The parabola of an arc whose length exceeds its chord c by s: √(3 s c / 8).
-    if (slack > 0) c.near("sag", sag(w), sqrt(3 * slack * (count * pitch - slack) / 8), 0.1 * sag(w), "m");
+    const double parabola = sqrt(3 * slack * (count * pitch - slack) / 8);
+    if (slack > 0) c.near("sag", sag(w), parabola, 0.1 * parabola, "m");
   }
   std::optional<Camera> camera() const override { return Camera{{-6, 14, 44}, {0, 1, 0}}; }
 };

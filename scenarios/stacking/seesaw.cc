@@ -57,7 +57,8 @@ struct Seesaw : Scenario {
     return t;
   }
   void check(const World& w, Check& c) override {
-    c.near("the heavy side is down after", landed, exact_time(w), 0.03 * landed, "s");
+    const double exact = exact_time(w);
+    c.near("the heavy side is down after", landed, exact, 0.03 * exact, "s");
     c.above("the light box has risen by", highest, edge * arm / (length / 2) * 0.9, "m");
     c.below("the heavy box stands at", w[heavy].pose().p.y, edge, "m");
   }

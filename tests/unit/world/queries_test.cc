@@ -1,6 +1,7 @@
 // What a world tells: bodies, events, contacts, rays, sensors, sums, profile.
 #include <functional>
 
+#include "base/timer.h"
 #include "unit/worlds.h"
 
 namespace sudar_test {
@@ -245,13 +246,19 @@ TEST(Profile, NamesTheStagesAndCounts) {
   w.add(Gravity{});
   add_floor(w);
   w.add(cube({0, 0.5, 0}));
+  const Timer timer;
   w.step();
+  const double whole = timer.microseconds();
   const Profile& p = w.profile();
   std::string names;
+  double sum = 0;
   for (const Profile::Stage& stage : p.stages) {
     names += std::string(stage.name) + " ";
-    EXPECT_GE(stage.microseconds, 0);
+    EXPECT_GT(stage.microseconds, 0) << stage.name;
+    sum += stage.microseconds;
   }
+  EXPECT_LE(sum, whole);
+  EXPECT_LE(p.collision.microseconds + p.contact.microseconds, sum);
   EXPECT_EQ(names, "pairs collide link solve refit sleep ");
   EXPECT_EQ(p.contacts, 1);
   EXPECT_EQ(p.points, 4);
