@@ -67,6 +67,11 @@ void bench_scenes(const Options& o) {
   const Config c = config(o);
   std::vector<Scene> scenes;
   for (const std::string& name : o.scenes) scenes.push_back(make_scene(name));
+  std::ofstream file;
+  if (!o.json.empty()) {  // before the work
+    file.open(o.json);
+    if (!file) throw Error(o.json, "cannot be written");
+  }
   auto all = nlohmann::ordered_json::array();
   std::fputs(table_head().c_str(), stdout);
   for (const Scene& scene : scenes) {
@@ -77,7 +82,6 @@ void bench_scenes(const Options& o) {
     all.push_back(json(r));
   }
   if (o.json.empty()) return;
-  std::ofstream file(o.json);
   file << all.dump(2) << '\n';
   if (!file.flush()) throw Error(o.json, "cannot be written");
 }

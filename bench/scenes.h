@@ -23,8 +23,8 @@ struct Solid {
   Kind kind = Kind::box;
   Vec3d half{};       // of a box: half its edges, m
   double radius = 0;  // of a ball, m
-  std::vector<Vec3d>
-      points{};  // of a hull, m: all are vertices, in the body's frame, whose origin is not the centre of mass
+  // Of a hull, m: all are vertices. In the body's frame, whose origin is not the centre of mass.
+  std::vector<Vec3d> points{};
 };
 Shape shape(const Solid&);  // the same as a shape of ours
 
@@ -39,13 +39,14 @@ struct SceneBody {
   int arrives = 0;  // is added before this step; bodies are listed in the order of their arrival
 };
 
-struct SceneBall {             // a ball joint
-  std::uint32_t a = 0, b = 0;  // bodies
+// A ball joint between two bodies.
+struct SceneBall {
+  std::uint32_t a = 0, b = 0;
   Pos at{};
 };
 
-struct SceneCircle {  // a kinematic body whose origin goes round the y axis, in chords of one step each, and does not
-                      // turn
+// A kinematic body whose origin goes round the y axis, in chords of one step each; the body does not turn.
+struct SceneCircle {
   std::uint32_t body = 0;
   double radius = 0, rate = 0;  // m; rad/s from x to z
 };
