@@ -3,8 +3,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <functional>
-
 #include "bench/quality.h"
 
 namespace sudar::bench {

@@ -1,8 +1,6 @@
 #include "bench/scenes.h"
 
-#include <algorithm>
 #include <charconv>
-#include <functional>
 
 namespace sudar::bench {
 
