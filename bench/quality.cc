@@ -3,6 +3,7 @@
 #include <sudar/distance.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace sudar::bench {
 
@@ -61,15 +62,18 @@ void each_near_pair(const Scene& scene, std::span<const Pose> poses, F visit) {
 void measure_penetration(const Scene& scene, std::span<const Pose> poses, SceneQuality& q) {
   std::vector<Shape> shapes;
   for (const Solid& solid : scene.solids) shapes.push_back(shape(solid));
-  double sum = 0;
+  std::vector<double> depths;
   each_near_pair(scene, poses, [&](std::uint32_t a, std::uint32_t b) {
     const double depth =
         -distance(shapes[scene.bodies[a].solid], poses[a], shapes[scene.bodies[b].solid], poses[b]).value;
-    if (!(depth > 0)) return;
-    ++q.overlaps, sum += depth;
-    q.penetration_max = max(q.penetration_max, depth);
+    if (depth > 0) depths.push_back(depth);
   });
-  if (q.overlaps > 0) q.penetration_mean = sum / double(q.overlaps);
+  if (depths.empty()) return;
+  std::sort(depths.begin(), depths.end());
+  q.overlaps = std::int64_t(depths.size());
+  q.penetration_max = depths.back();
+  q.penetration_mean = std::accumulate(depths.begin(), depths.end(), 0.0) / double(depths.size());
+  q.penetration_p99 = depths[(depths.size() - 1) * 99 / 100];
 }
 
 void measure_gaps(const Scene& scene, std::span<const Pose> poses, SceneQuality& q) {
@@ -101,6 +105,10 @@ SceneQuality measure(const Scene& scene, std::span<const Pose> poses) {
   q.finite = std::all_of(poses.begin(), poses.end(), [](const Pose& p) { return is_finite(p.p) && is_finite(p.q); });
   if (!q.finite) return q;
   measure_penetration(scene, poses, q);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const SceneBody& b = scene.bodies[i];
+    q.below_ground += b.motion == Motion::dynamic && b.collides && poses[i].p.y < 0;
+  }
   measure_gaps(scene, poses, q);
   if (scene.stands) measure_drift(scene, poses, q);
   return q;

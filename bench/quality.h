@@ -7,10 +7,12 @@
 namespace sudar::bench {
 
 struct SceneQuality {
-  bool finite = true;                                // all poses; the rest is 0 where they are not
-  std::int64_t overlaps = 0;                         // pairs of bodies
-  double penetration_max = 0, penetration_mean = 0;  // m, over those pairs: the shortest way that parts them
-  double joint_gap_max = 0, joint_gap_mean = 0;      // m, over joints: between the two anchors
+  bool finite = true;         // all poses; the rest is 0 where they are not
+  std::int64_t overlaps = 0;  // pairs of bodies
+  // Over those pairs, m: the shortest way that parts them. p99: one pair in a hundred is deeper.
+  double penetration_max = 0, penetration_mean = 0, penetration_p99 = 0;
+  std::int64_t below_ground = 0;  // bodies that went through the floor: that collide, and whose origin is below y = 0
+  double joint_gap_max = 0, joint_gap_mean = 0;  // m, over joints: between the two anchors
   // Of the dynamic body that is farthest from where it began, m: along the ground and up or down. Only in scenes that
   // stand.
   std::optional<double> drift, sink;

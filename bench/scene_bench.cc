@@ -1,5 +1,5 @@
 // What the scenes of bench/scenes.h cost, and how well they are done: a line each, and JSON.
-//   bench_scenes [NAME…] [--steps N] [--workers N] [--set FIELD=VALUE]… [--json FILE]
+//   bench_scenes [NAME…] [--steps N] [--watch N] [--workers N] [--set FIELD=VALUE]… [--json FILE]
 // JSON: an array with an object for each scene.
 #include <sudar/session.h>
 
@@ -48,7 +48,8 @@ class Sudar : public SceneEngine {
 
 struct Options {
   std::vector<std::string> scenes, set;
-  int steps = 0, workers = 1;
+  RunOptions run;
+  int workers = 1;
   std::string json;
 };
 
@@ -76,7 +77,7 @@ void bench_scenes(const Options& o) {
   std::fputs(table_head().c_str(), stdout);
   for (const Scene& scene : scenes) {
     Sudar engine(scene, c);
-    const SceneRun r = run(scene, engine, o.steps > 0 ? o.steps : scene.steps);
+    const SceneRun r = run(scene, engine, o.run);
     std::fputs(table_row(r).c_str(), stdout);
     std::fflush(stdout);
     all.push_back(json(r));
@@ -94,7 +95,9 @@ int main(int argc, char** argv) {
   CLI::App app("What the scenes that engines are compared on cost, and how well they are done");
   app.add_option("scenes", o.scenes, "also towerN, pyramidN, pileN for any N, and 16k for 16384")
       ->capture_default_str();
-  app.add_option("--steps", o.steps, "of each scene; else its own number")->check(CLI::Range(2, 1000000));
+  app.add_option("--steps", o.run.steps, "of each scene; else its own number")->check(CLI::Range(2, 1000000));
+  app.add_option("--watch", o.run.watch, "measure the quality every so many steps, for the worst of it")
+      ->check(CLI::Range(1, 1000000));
   app.add_option("--workers", o.workers, "threads that share a step")->check(CLI::Range(1, 256));
   app.add_option("--set", o.set, "setting of the engine by its path, as sudar run --config")->allow_extra_args(false);
   app.add_option("--json", o.json, "file for the results");

@@ -26,8 +26,14 @@ struct SceneRun {
   std::size_t bodies = 0, joints = 0;  // at the end
   double ms = 0, wall_ms = 0;          // a step, the first left out: processor time of all threads, and by the clock
   SceneQuality quality;                // at the end
+  // m, in all steps that were watched, the last among them.
+  double penetration_any = 0, joint_gap_any = 0;
 };
-SceneRun run(const Scene&, SceneEngine&, int steps);  // at least 2
+struct RunOptions {
+  int steps = 0;  // 0: the scene's own; else at least 2
+  int watch = 0;  // measure the quality every so many steps, too: outside the time, but caches are cold after it
+};
+SceneRun run(const Scene&, SceneEngine&, const RunOptions&);
 
 nlohmann::ordered_json json(const SceneRun&);  // what is not finite or means nothing in the scene is null
 std::string table_head();

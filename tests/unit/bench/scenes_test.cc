@@ -94,11 +94,15 @@ TEST(SceneQuality, OverlapsAreMeasuredOnTheShapes) {
   EXPECT_EQ(q.overlaps, 1);
   EXPECT_NEAR(q.penetration_max, 0.25, 1e-6);
   EXPECT_NEAR(q.penetration_mean, 0.25, 1e-6);
+  EXPECT_NEAR(q.penetration_p99, 0.25, 1e-6);
+  EXPECT_EQ(q.below_ground, 0);
   EXPECT_NEAR(q.drift.value(), sqrt(0.5 * 0.5 + 0.25 * 0.25), 1e-12);
   EXPECT_NEAR(q.sink.value(), 0.25, 1e-12);
   p[1].p.y -= 0.125;
   EXPECT_EQ(measure(s, p).overlaps, 2);
   EXPECT_NEAR(measure(s, p).penetration_mean, 0.125, 1e-6);
+  p[1].p.y = -5;
+  EXPECT_EQ(measure(s, p).below_ground, 1);
 }
 
 TEST(SceneQuality, GapsAreThoseOfTurnedAnchors) {
