@@ -107,7 +107,8 @@ SceneQuality measure(const Scene& scene, std::span<const Pose> poses) {
   measure_penetration(scene, poses, q);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const SceneBody& b = scene.bodies[i];
-    q.below_ground += b.motion == Motion::dynamic && b.collides && poses[i].p.y < 0;
+    if (b.motion != Motion::dynamic || !b.collides) continue;
+    q.below_ground += bounds(scene.solids[b.solid], poses[i]).high.y < 0;
   }
   measure_gaps(scene, poses, q);
   if (scene.stands) measure_drift(scene, poses, q);

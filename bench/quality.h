@@ -11,7 +11,7 @@ struct SceneQuality {
   std::int64_t overlaps = 0;  // pairs of bodies
   // Over those pairs, m: the shortest way that parts them. p99: one pair in a hundred is deeper.
   double penetration_max = 0, penetration_mean = 0, penetration_p99 = 0;
-  std::int64_t below_ground = 0;  // bodies that went through the floor: that collide, and whose origin is below y = 0
+  std::int64_t below_ground = 0;  // bodies that went through the floor: those that collide, and are wholly below y = 0
   double joint_gap_max = 0, joint_gap_mean = 0;  // m, over joints: between the two anchors
   // Of the dynamic body that is farthest from where it began, m: along the ground and up or down. Only in scenes that
   // stand.

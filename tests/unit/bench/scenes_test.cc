@@ -101,7 +101,9 @@ TEST(SceneQuality, OverlapsAreMeasuredOnTheShapes) {
   p[1].p.y -= 0.125;
   EXPECT_EQ(measure(s, p).overlaps, 2);
   EXPECT_NEAR(measure(s, p).penetration_mean, 0.125, 1e-6);
-  p[1].p.y = -5;
+  p[1].p.y = -0.4;  // in the floor, not through it
+  EXPECT_EQ(measure(s, p).below_ground, 0);
+  p[1].p.y = -0.6;
   EXPECT_EQ(measure(s, p).below_ground, 1);
 }
 
