@@ -340,8 +340,11 @@ using SensorId = Handle<struct SensorTag>;
 
 // --- settings ---
 
-enum class Solver : std::uint8_t { impulse_2007 };
-inline const char* const* names(Solver) { static constexpr const char* n[] = {"impulse_2007", nullptr}; return n; }
+enum class Solver : std::uint8_t {
+  impulse_2007,  // the thesis's: impulses pass by pass, contacts found in every sub-step; exact and slow
+  soft_step,     // soft contacts that do not sink, found once a step; fast
+};
+inline const char* const* names(Solver) { static constexpr const char* n[] = {"impulse_2007", "soft_step", nullptr}; return n; }
 enum class Broad : std::uint8_t {  // docs/broad_phase.md: all find the same pairs
   brute,          // every changed body against every other one
   grid,           // spatial hashing with cells of many sizes
@@ -385,6 +388,19 @@ void describe(V& v, T& d) {
   v("shock_propagation", d.shock_propagation, any);
 }
 
+// The fast solver (src/dynamics/soft_step.h).
+struct SoftStep {
+  Real contact_frequency = 30;   // Hz, at most 1/8 of the sub-steps' rate; twice as stiff against what does not move
+  Real contact_damping = 10;     // ratio ζ
+  Real push_speed = 3;           // overlap is undone no faster, m/s · length_unit
+  bool carry_loads = true;       // soft contacts do not sink under what they carry
+};
+template <class V, Like<SoftStep> T>
+void describe(V& v, T& d) {
+  v("contact_frequency", d.contact_frequency, positive), v("contact_damping", d.contact_damping, not_negative);
+  v("push_speed", d.push_speed, not_negative), v("carry_loads", d.carry_loads, any);
+}
+
 struct Config {
   Solver solver = Solver::impulse_2007;
   Broad broad = Broad::tree;
@@ -397,6 +413,7 @@ struct Config {
   Real time_factor = 1;        // k of thesis (3.4): simulated seconds per second of step
   Mix friction_mix = Mix::geometric, restitution_mix = Mix::max;
   Impulse2007 impulse_2007{};
+  SoftStep soft_step{};
 };
 template <class V, Like<Config> T>
 void describe(V& v, T& d) {
@@ -406,7 +423,7 @@ void describe(V& v, T& d) {
   v("sleep", d.sleep, any);
   v("length_unit", d.length_unit, positive), v("time_factor", d.time_factor, positive);
   v("friction_mix", d.friction_mix, any), v("restitution_mix", d.restitution_mix, any);
-  v("impulse_2007", d.impulse_2007, any);
+  v("impulse_2007", d.impulse_2007, any), v("soft_step", d.soft_step, any);
 }
 
 }

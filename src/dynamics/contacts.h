@@ -16,6 +16,28 @@ template <class V, Like<ContactImpulse> T>
 void describe(V& v, T& d) { v("normal", d.normal, any), v("friction", d.friction, any), v("turning", d.turning, any); }
 static_assert(sizeof(ContactImpulse) == 19 * sizeof(Real), "saved as bytes");
 
+// Where both bodies were when the contact's manifold was found, and how far its points were apart then.
+struct ContactPlace {
+  Pose a, b;  // of the centres of mass
+  std::array<Real, 4> separation{};
+};
+template <class V, Like<ContactPlace> T>
+void describe(V& v, T& d) {
+  v("a.position", d.a.p, any), v("a.orientation", d.a.q, any);
+  v("b.position", d.b.p, any), v("b.orientation", d.b.q, any);
+  v("separation", d.separation, any);
+}
+static_assert(sizeof(ContactPlace) == 2 * sizeof(Pose) + 4 * sizeof(Real), "saved as bytes");
+
+// What of a contact's impulses does not leak away (soft_step.h), by point, N s; and all that was carried then.
+struct ContactReference {
+  std::array<Real, 4> normal{};
+  Real carried = 0;
+};
+template <class V, Like<ContactReference> T>
+void describe(V& v, T& d) { v("normal", d.normal, any), v("carried", d.carried, any); }
+static_assert(sizeof(ContactReference) == 5 * sizeof(Real), "saved as bytes");
+
 struct Contacts {
 #define CONTACT_FIELD(type, name, unit, stage) std::vector<type> name;
 #include "dynamics/fields.def"

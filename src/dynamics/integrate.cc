@@ -42,20 +42,28 @@ SolverBody solver_body(const Bodies& b, std::uint32_t i) {
 
 void accelerate(const Bodies& b, std::uint32_t i, const Wrench& load, const DragRates& drag, Real h, SolverBody& body) {
   Vec3 v = vector(body.real.v), w = vector(body.real.w);
-  v += load.force * (b.inverse_mass[i] * h);
-  if (load.torque != Vec3{}) w += vector(body.inverse_inertia * lanes(load.torque)) * h;
+  accelerate(v, w, b.inverse_mass[i], matrix(body.inverse_inertia), load, drag, h);
+  body.real = {lanes(v), lanes(w)};
+}
+
+void accelerate(Vec3& v, Vec3& w, Real inverse_mass, const Mat3& inverse_inertia, const Wrench& load, const DragRates& drag,
+                Real h) {
+  v += load.force * (inverse_mass * h);
+  if (load.torque != Vec3{}) w += (inverse_inertia * load.torque) * h;
   const Real rate = drag.linear + drag.quadratic * length(v);
   const Real angular_rate = drag.angular + drag.angular_quadratic * length(w);
   // v/(1 + h rate) as a difference: a rounded factor near 1 would act with the same error in every step (verify V02).
   if (rate > 0) v -= v * (h * rate / (1 + h * rate));
   if (angular_rate > 0) w -= w * (h * angular_rate / (1 + h * angular_rate));
-  body.real = {lanes(v), lanes(w)};
 }
 
 namespace {
 
+Vec3 momentum(const Bodies& b, std::uint32_t i, const Vec3& w, const Vec3& spin_before) {
+  return b.angular_momentum[i] + b.inertia_world(i) * (w - spin_before);
+}
 Vec3 momentum(const Bodies& b, std::uint32_t i, const SolverBody& body) {
-  return b.angular_momentum[i] + b.inertia_world(i) * (vector(body.real.w) - body.spin_before);
+  return momentum(b, i, vector(body.real.w), body.spin_before);
 }
 
 }
@@ -74,6 +82,16 @@ bool drift(Bodies& b, std::uint32_t i, const SolverBody& body, Real h) {
   Quat q = rotate_freely(b.orientation[i], angular_momentum, b.inertia[i], b.inverse_inertia[i], h).orientation;
   if (push_w != Vec3{}) q = normalize(rotation(push_w * h) * q);
   return take(b, i, {b.position[i] + (v + push_v) * h, q, v, angular_momentum});
+}
+
+bool drift(Bodies& b, std::uint32_t i, const Vec3& v, const Vec3& w, const Vec3& spin_before, Real h) {
+  const Vec3 angular_momentum = momentum(b, i, w, spin_before);
+  const Rotation r = rotate_freely(b.orientation[i], angular_momentum, b.inertia[i], b.inverse_inertia[i], h);
+  return take(b, i, {b.position[i] + v * h, r.orientation, v, angular_momentum});
+}
+
+bool take_velocity(Bodies& b, std::uint32_t i, const Vec3& v, const Vec3& w, const Vec3& spin_before) {
+  return take(b, i, {b.position[i], b.orientation[i], v, momentum(b, i, w, spin_before)});
 }
 
 void carry(Bodies& b, std::uint32_t i, Real h) {

@@ -22,7 +22,8 @@ struct ActiveContact {
 
 struct StepView {
   const Config& config;
-  Real h;  // s
+  Real h;            // length of a sub-step, s
+  int substeps = 1;  // to be advanced by this call
   const Forces& forces;
   // Everything that moves or changes is in these lists, island after island; inside an island contacts lie in the order
   // of their pairs, bodies and joints in that of their slots.

@@ -11,6 +11,7 @@
 #include "collision/broad/broad.h"
 #include "collision/narrow/pairs.h"
 #include "dynamics/impulse_2007.h"
+#include "dynamics/soft_step.h"
 #include "dynamics/rest.h"
 #include "dynamics/sleepers.h"
 #include "world/geometry_store.h"
@@ -92,6 +93,7 @@ struct World::Impl {
   double last_dt = 0;                       // of the last step
   double h = 0;                             // length of the sub-step at work, simulated s
   Impulse2007Solver impulse_2007;
+  SoftStepSolver soft_step;
   StepOutcome outcome;
   Events events;
   Profile profile;
@@ -148,6 +150,12 @@ struct World::Impl {
   const Geometry& geometry_of(std::uint32_t body) const { return geometry[bodies.geometry[body]].geometry(); }
   bool is_half_space(std::uint32_t body) const { return geometry_of(body).kind == ShapeKind::half_space; }
   Material pair_material(const ProxyPair&) const;
+  // Whether contacts are looked for before every sub-step, or once a step.
+  bool detects_each_substep() const {
+    return config.solver == Solver::impulse_2007 ? Impulse2007Solver::detects_each_substep
+                                                 : SoftStepSolver::detects_each_substep;
+  }
+  Real contact_margin(std::uint32_t body) const;     // how near others are felt, m
   void settle_boxes();                               // tells the broad phase of all changes
   bool renew_box(std::uint32_t body, bool force);    // keeps the fat box around the body; whether it is another one
   void touch_proxy(std::uint32_t body, bool force);  // the same, and notes a change

@@ -86,6 +86,43 @@ void find_pairs(World::Impl& w) {
   w.searched.clear(), w.found.clear();
 }
 
+namespace {
+
+// A face that lies on another keeps its points while both hardly turn and hardly move along each other: points that
+// wander with every rounding make stacks sway. (E. Catto's Box3D recycles contacts so.) Only separations follow.
+bool keep_manifold(const World::Impl& w, PairRow& row, Real margin) {
+  constexpr Real least_cosine = Real(0.9962);  // of half the turn: 10°
+  Manifold& m = row.manifold;
+  if (row.row == no_row || m.count < 3) return false;
+  const Bodies& b = w.bodies;
+  const ContactPlace& place = w.contacts.place[row.row];
+  const auto turn = [](const Quat& now, const Quat& then) { return now * conjugate(then); };
+  const Quat turn_a = turn(b.orientation[row.key.a], place.a.q), turn_b = turn(b.orientation[row.key.b], place.b.q);
+  if (abs(turn_a.w) < least_cosine || abs(turn_b.w) < least_cosine) return false;
+  const Vec3 shift = (b.position[row.key.a] - place.a.p) - (b.position[row.key.b] - place.b.p);
+  const Vec3 to_shape = rotate(place.a.q, b.shape_frame[row.key.a].p), apart = place.a.p - place.b.p;
+  Real far = Real(0.05) * w.config.length_unit;
+  for (const std::uint32_t i : {row.key.a, row.key.b}) {
+    if (b.dynamic(i)) far = min(far, Real(0.1) * b.radius[i]);
+  }
+  std::array<Real, 4> separation;
+  for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
+    const Vec3 ra = m.points[k].at + to_shape, rb = ra + apart;
+    const Vec3 moved = shift + (rotate(turn_a, ra) - ra) - (rotate(turn_b, rb) - rb);
+    if (length_squared(moved) > square(far)) return false;
+    separation[k] = place.separation[k] + dot(m.normal, moved);
+    if (separation[k] > margin) return false;
+  }
+  for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
+    m.points[k].separation = separation[k];
+    m.points[k].match = std::int32_t(k);
+  }
+  m.bits = Manifold::touching | Manifold::kept;
+  return true;
+}
+
+}
+
 // Collides what can change; what that wakes can change too.
 void collide(World::Impl& w) {
   const Bodies& b = w.bodies;
@@ -93,11 +130,21 @@ void collide(World::Impl& w) {
     return b.slots.used(i) && b.motion[i] == Motion::kinematic && b.moves(i);
   });
   wake_carried(w);
-  const Real margin = w.config.impulse_2007.slop * w.config.length_unit;
+  const bool each_substep = w.detects_each_substep();
   std::vector<std::uint32_t> round = w.pairs.settle([&](const ProxyPair& key) { return can_change(b, key); });
   while (!round.empty()) {
     w.pool->for_ranges(std::uint32_t(round.size()), 16, [&](std::uint32_t, std::uint32_t first, std::uint32_t end) {
-      collide_pairs(w.pairs.rows(), std::span(round).subspan(first, end - first), w.geometries, w.shape_poses, margin);
+      const std::span<const std::uint32_t> some = std::span(round).subspan(first, end - first);
+      if (each_substep) {
+        collide_pairs(w.pairs.rows(), some, w.geometries, w.shape_poses, w.config.impulse_2007.slop * w.config.length_unit);
+        return;
+      }
+      for (const std::uint32_t& p : some) {
+        const ProxyPair& key = w.pairs[p].key;
+        const Real margin = w.contact_margin(key.a) + w.contact_margin(key.b);
+        if (keep_manifold(w, w.pairs[p], margin)) continue;
+        collide_pairs(w.pairs.rows(), std::span(&p, 1), w.geometries, w.shape_poses, margin);
+      }
     });
     for (const std::uint32_t p : round) {
       if (touching(w.pairs[p])) wake_sides(w, w.pairs[p].key);
@@ -107,6 +154,13 @@ void collide(World::Impl& w) {
 }
 
 namespace {
+
+// Where its manifold was found.
+void note_place(World::Impl& w, const PairRow& row) {
+  ContactPlace& place = w.contacts.place[row.row];
+  place.a = w.bodies.center_pose(row.key.a), place.b = w.bodies.center_pose(row.key.b);
+  for (std::size_t k = 0; k < 4; ++k) place.separation[k] = row.manifold.points[k].separation;
+}
 
 // Begin and end bits → events and contact rows; touching pairs → islands.
 void link_contacts(World::Impl& w, std::vector<std::uint32_t>& touching_rows) {
@@ -124,6 +178,7 @@ void link_contacts(World::Impl& w, std::vector<std::uint32_t>& touching_rows) {
       w.events.ended.push_back({handle(w, a), handle(w, c)});
     }
     if (!touching(row)) continue;
+    if ((row.manifold.bits & Manifold::kept) == 0) note_place(w, row);
     touching_rows.push_back(r);
     if (b.dynamic(a) && b.dynamic(c)) w.unions.unite(a, c);
   }
@@ -209,22 +264,26 @@ void solve(World::Impl& w) {
   StepOutcome& outcome = w.outcome;
   outcome.hits.clear(), outcome.broken.clear();
   outcome.points = 0;
-  w.impulse_2007.advance({.config = w.config,
-                          .h = Real(w.h),
-                          .forces = w.forces,
-                          .islands = w.islands,
-                          .awake = w.awake,
-                          .contacts = w.active_contacts,
-                          .joints = w.active_joints,
-                          .smooth = w.smooth,
-                          .kinematic = w.kinematic,
-                          .geometries = w.geometries,
-                          .bodies = w.bodies,
-                          .joint_state = w.joints,
-                          .joint_graph = w.joint_graph,
-                          .contact_state = w.contacts,
-                          .pool = *w.pool},
-                         outcome);
+  const StepView view{.config = w.config,
+                      .h = Real(w.h),
+                      .substeps = w.detects_each_substep() ? 1 : w.config.substeps,
+                      .forces = w.forces,
+                      .islands = w.islands,
+                      .awake = w.awake,
+                      .contacts = w.active_contacts,
+                      .joints = w.active_joints,
+                      .smooth = w.smooth,
+                      .kinematic = w.kinematic,
+                      .geometries = w.geometries,
+                      .bodies = w.bodies,
+                      .joint_state = w.joints,
+                      .joint_graph = w.joint_graph,
+                      .contact_state = w.contacts,
+                      .pool = *w.pool};
+  switch (w.config.solver) {
+    case Solver::impulse_2007: w.impulse_2007.advance(view, outcome); break;
+    case Solver::soft_step: w.soft_step.advance(view, outcome); break;
+  }
   for (const StepOutcome::Hit& hit : outcome.hits) {
     const ActiveContact& c = w.active_contacts[hit.contact];
     w.events.hits.push_back(
@@ -255,7 +314,8 @@ void refit(World::Impl& w) {
 // on: in a weak field it only begins to fall.
 void sleep(World::Impl& w) {
   Bodies& b = w.bodies;
-  watch_rest(b, w.awake, w.config.length_unit, Real(w.h));
+  const double advanced = w.detects_each_substep() ? w.h : w.h * w.config.substeps;
+  watch_rest(b, w.awake, w.config.length_unit, Real(advanced));
   if (!w.config.sleep || w.awake.empty()) return;
   HeldByFaces& held = w.held_by_faces;
   held.reset(b.size(), w.awake);
@@ -317,12 +377,13 @@ void World::Impl::step(double dt) {
   for (const Stage& stage : stages) profile.stages.push_back({stage.name, 0});
   last_dt = dt;
   h = sub_step;  // thesis (3.4)
-  for (int n = 0; n < config.substeps; ++n) {
+  const int rounds = detects_each_substep() ? config.substeps : 1;
+  for (int n = 0; n < rounds; ++n) {
     for (std::size_t s = 0; s < std::size(stages); ++s) {
       const Timer timer;
       stages[s].run(*this);
       profile.stages[s].microseconds += timer.microseconds();
-      if (recording && n == config.substeps - 1) stage_hashes.push_back(hash());
+      if (recording && n == rounds - 1) stage_hashes.push_back(hash());
     }
   }
   for (const std::uint32_t i : pushed) bodies.force[i] = bodies.torque[i] = {};

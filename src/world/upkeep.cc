@@ -22,6 +22,16 @@ void World::Impl::settle_boxes() {
   changed.clear();
 }
 
+// The margin of a pair is the sum of its bodies' margins. Who is looked at once a step must be seen before it arrives.
+Real World::Impl::contact_margin(std::uint32_t i) const {
+  const Real unit = config.length_unit;
+  if (detects_each_substep()) return config.impulse_2007.slop * unit;
+  const Real near = Real(0.01) * unit;
+  if (!bodies.moves(i) || !(bodies.radius[i] > 0)) return near;
+  const Real way = length(bodies.velocity[i]) * Real(config.dt * double(config.time_factor));
+  return min(near, Real(0.125) * bodies.radius[i]) + min(way, bodies.radius[i]);
+}
+
 bool World::Impl::renew_box(std::uint32_t i, bool force) {
   Proxy& proxy = proxies[i];
   proxy.filter = bodies.filter[i];
@@ -30,10 +40,10 @@ bool World::Impl::renew_box(std::uint32_t i, bool force) {
   const Pose pose = shape_poses[i] = bodies.shape_pose(i);
   if (!proxy.present) return true;
   // The box holds the margin within which contacts are made, and room to move before it must be renewed.
-  const Real unit = config.length_unit, contact_margin = config.impulse_2007.slop * unit;
-  if (!force && contains(proxy.box, bounds(geometry_of(i), pose, contact_margin))) return false;
-  const Real room = min(Real(0.125) * bodies.radius[i], Real(0.05) * unit);
-  proxy.box = bounds(geometry_of(i), pose, contact_margin + room);
+  const Real margin = contact_margin(i);
+  if (!force && contains(proxy.box, bounds(geometry_of(i), pose, margin))) return false;
+  const Real room = min(Real(0.125) * bodies.radius[i], Real(0.05) * config.length_unit);
+  proxy.box = bounds(geometry_of(i), pose, margin + room);
   return true;
 }
 

@@ -17,12 +17,12 @@ struct ManifoldPoint {
 };
 
 struct Manifold {
-  enum Bits : std::uint32_t { touching = 1, began = 2, ended = 4 };
+  enum Bits : std::uint32_t { touching = 1, began = 2, ended = 4, kept = 8 };
 
   Vec3 normal;  // from b to a
   std::array<ManifoldPoint, 4> points;
   std::int32_t count = 0;  // 0: no point nearer than the margin
-  std::uint32_t bits = 0;  // has points; has them since the last collision; lost them then. Written by pairs.h
+  std::uint32_t bits = 0;  // has points; has them since the last collision; lost them then; is the one of the step before, moved on. Written by pairs.h
 };
 template <class V, Like<ManifoldPoint> T>
 void describe(V& v, T& d) {

@@ -1,0 +1,644 @@
+#include "dynamics/soft_step.h"
+
+#include <algorithm>
+
+#include "dynamics/colours.h"
+#include "dynamics/integrate.h"
+#include "dynamics/soft_passes.h"
+#include "dynamics/support.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+namespace {
+
+constexpr int width = 8;
+using Rows = SoftRows<width>;
+using Passes = SoftPasses<width>;
+
+// Lengths, m · length_unit. Labs of recipe R6 (docs/notes/soft_step.md).
+constexpr Real reach = Real(0.010);         // a loaded point is held softly until it is so far apart
+constexpr Real support_gap = Real(0.018);   // nearer points may carry
+constexpr Real upright = Real(0.3);         // cosine between normal and vertical above which a contact carries
+constexpr Real follow = Real(0.01);         // share by which a reference follows a growing load in a step
+
+struct Softness {
+  Real bias_rate, mass_scale, impulse_scale;
+};
+Softness softness(Real frequency, Real damping, Real h) {
+  const Real omega = Real(2 * pi) * frequency;
+  const Real a1 = 2 * damping + h * omega, a2 = h * omega * a1, a3 = 1 / (1 + a2);
+  return {omega / a1, a2 * a3, a3};
+}
+
+constexpr std::uint32_t none = 0xffffffffu;
+
+// A contact of the batch.
+struct SoftContact {
+  std::uint32_t in_view;       // number in StepView::contacts
+  std::uint32_t a, b;          // numbers of the bodies
+  std::uint32_t group = 0, lane = 0;  // where its row lies
+  std::uint32_t count = 0;            // of points
+  std::uint32_t support = none;       // its number among supports
+  Real approach = 0;                  // fastest at the start of the step, m/s
+  bool fresh = false;                 // new
+  bool pressed = false;               // was pressed in the last step
+};
+
+// What of a body is asked once a sub-step, beside the SoftBody that the passes read.
+struct BodyStart {
+  Vec3 spin;          // ω before all impulses, as spin_of() gives it
+  Vec3 v, w;          // after forces, before the warm start
+  Vec3 gain_v, gain_w;  // what contacts made of them in the last sub-step
+  Vec3 acceleration;  // by forces, m/s²
+  bool bounced;       // no gravity in this sub-step
+};
+
+// What solving some islands at once needs; used again for the next.
+struct Workspace {
+  std::vector<std::uint32_t> slots;  // of bodies by number; 0: what stays where it is
+  std::vector<SoftBody> bodies;
+  std::vector<BodyStart> starts;
+  std::vector<SoftContact> contacts;
+  Colours colours;
+  std::vector<Rows> rows;
+  std::vector<std::uint32_t> bouncing;  // contacts
+  std::vector<Support> supports;
+  SupportLoads support_loads;
+  std::vector<std::uint32_t> movers;    // numbers of dynamic bodies
+  std::vector<Real> weights;
+  std::vector<double> heights;
+  std::vector<Wrench> loads;
+  StepOutcome out;
+};
+
+class Batch {
+ public:
+  Batch(const StepView& in, std::span<const std::uint32_t> number_of, Workspace& work)
+      : in_(in), set_(in.config.soft_step), number_of_(number_of), w_(work), unit_(in.config.length_unit), h_(in.h),
+        gravity_(gravity(in.forces)),
+        passes_settings_{in.h, set_.push_speed * unit_, set_.carry_loads ? reach * unit_ : Real(0)} {}
+
+  void run(std::span<const std::uint32_t> islands) {
+    gather_bodies(islands);
+    gather_contacts(islands);
+    const Passes passes(w_.bodies, passes_settings_);
+    const std::span<Rows> rows = w_.rows;
+    for (int k = 0; k < in_.substeps; ++k) {
+      bounce();
+      accelerate_all();
+      leave_bouncing_alone();
+      if (k == 0) passes.warm(rows); else repeat_gain();
+      passes.solve(rows);
+      drift_all();
+      passes.relax(rows);
+      note_gain();
+    }
+    store();
+  }
+
+ private:
+  // --- bodies ---
+
+  bool moves(std::uint32_t n) const { return w_.bodies[n].inverse_mass > 0; }
+
+  void gather_bodies(std::span<const std::uint32_t> islands) {
+    w_.slots.assign(1, no_body);
+    w_.slots.insert(w_.slots.end(), in_.kinematic.begin(), in_.kinematic.end());
+    for (const std::uint32_t k : islands) {
+      const auto bodies = in_.islands[k].bodies.of(in_.awake);
+      w_.slots.insert(w_.slots.end(), bodies.begin(), bodies.end());
+    }
+    const std::size_t n = w_.slots.size();
+    w_.bodies.assign(n, {}), w_.starts.assign(n, {});
+    w_.movers.clear();
+    for (std::uint32_t i = 1; i < n; ++i) {
+      const std::uint32_t slot = w_.slots[i];
+      w_.bodies[i].v = in_.bodies.velocity[slot];
+      w_.bodies[i].w = in_.bodies.spin[slot];
+      if (i > in_.kinematic.size()) w_.movers.push_back(i);
+    }
+    for (const std::uint32_t i : w_.movers) {
+      const std::uint32_t slot = w_.slots[i];
+      if (!in_.bodies.dynamic(slot)) continue;
+      w_.bodies[i].inverse_mass = in_.bodies.inverse_mass[slot];
+      renew(i);
+    }
+  }
+
+  // Spin and inertia follow the orientation and the angular momentum.
+  void renew(std::uint32_t i) {
+    SoftBody& body = w_.bodies[i];
+    const Mat3 inertia = in_.bodies.inverse_inertia_world(w_.slots[i]);
+    body.xx = inertia.c0.x, body.xy = inertia.c1.x, body.xz = inertia.c2.x;
+    body.yy = inertia.c1.y, body.yz = inertia.c2.y, body.zz = inertia.c2.z;
+    w_.starts[i].spin = body.w = spin_of(in_.bodies, w_.slots[i]);
+  }
+
+  void accelerate_all() {
+    std::vector<std::uint32_t> slots;
+    for (const std::uint32_t i : w_.movers) slots.push_back(w_.slots[i]);
+    evaluate(in_.forces, in_.bodies, slots, w_.loads);
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      const std::uint32_t i = w_.movers[k];
+      SoftBody& body = w_.bodies[i];
+      BodyStart& start = w_.starts[i];
+      if (!moves(i)) continue;
+      start.acceleration = w_.loads[k].force * body.inverse_mass;
+      if (!start.bounced) {
+        accelerate(body.v, body.w, body.inverse_mass, inverse_inertia(body), w_.loads[k],
+                   drag_on(in_.forces, in_.bodies, slots[k]), h_);
+        if (!is_finite(body.v) || !is_finite(body.w)) {  // before it can infect what it touches
+          give_up(i);
+          continue;
+        }
+      }
+      start.bounced = false;
+      start.v = body.v, start.w = body.w;
+    }
+  }
+
+  static Mat3 inverse_inertia(const SoftBody& b) {
+    return {{b.xx, b.xy, b.xz}, {b.xy, b.yy, b.yz}, {b.xz, b.yz, b.zz}};
+  }
+
+  void give_up(std::uint32_t i) {
+    const std::uint32_t slot = w_.slots[i];
+    w_.bodies[i] = {};
+    in_.bodies.quarantined[slot] = 1;
+    w_.out.broken.push_back(slot);
+  }
+
+  void drift_all() {
+    for (std::uint32_t i = 1; i <= in_.kinematic.size(); ++i) {
+      SoftBody& body = w_.bodies[i];
+      body.shift += body.v * h_, body.turn += body.w * h_;
+    }
+    for (const std::uint32_t i : w_.movers) {
+      if (!moves(i)) continue;
+      SoftBody& body = w_.bodies[i];
+      BodyStart& start = w_.starts[i];
+      if (!drift(in_.bodies, w_.slots[i], body.v, body.w, start.spin, h_)) {
+        give_up(i);
+        continue;
+      }
+      body.shift += body.v * h_, body.turn += body.w * h_;
+      const Vec3 w = body.w;
+      renew(i);
+      start.w += body.w - w;  // what turning freely made of ω is no gain
+    }
+  }
+
+  // The contact impulses of the next sub-step begin with those of this one, so what they do is known.
+  void note_gain() {
+    for (const std::uint32_t i : w_.movers) {
+      SoftBody& body = w_.bodies[i];
+      BodyStart& start = w_.starts[i];
+      if (!moves(i)) continue;
+      start.gain_v = body.v - start.v, start.gain_w = body.w - start.w;
+      if (take_velocity(in_.bodies, w_.slots[i], body.v, body.w, start.spin)) {
+        start.spin = body.w = in_.bodies.spin[w_.slots[i]];
+      } else {
+        give_up(i);
+      }
+    }
+  }
+  void repeat_gain() {
+    for (const std::uint32_t i : w_.movers) {
+      SoftBody& body = w_.bodies[i];
+      if (moves(i)) body.v += w_.starts[i].gain_v, body.w += w_.starts[i].gain_w;
+    }
+  }
+
+  // --- contacts ---
+
+  void gather_contacts(std::span<const std::uint32_t> islands) {
+    w_.contacts.clear(), w_.bouncing.clear(), w_.supports.clear();
+    for (const std::uint32_t k : islands) {
+      const Island::Part part = in_.islands[k].contacts;
+      for (std::uint32_t c = part.first; c < part.first + part.count; ++c) {
+        w_.contacts.push_back({.in_view = c, .a = number_of_[in_.contacts[c].a], .b = number_of_[in_.contacts[c].b]});
+      }
+    }
+    const auto sides = [&](std::uint32_t k) {
+      const SoftContact& c = w_.contacts[k];
+      return std::array{moves(c.a) ? c.a : 0u, moves(c.b) ? c.b : 0u};
+    };
+    w_.colours.assign(std::uint32_t(w_.contacts.size()), std::uint32_t(w_.bodies.size()), sides);
+    lay_out();
+    for (SoftContact& c : w_.contacts) prepare(c);
+    carry_loads();
+    for (SoftContact& c : w_.contacts) remember(c);
+  }
+
+  void lay_out() {
+    w_.rows.clear();
+    for (std::uint32_t colour = 0; colour <= Colours::colours; ++colour) {
+      const auto members = w_.colours.of(colour);
+      const std::uint32_t lanes = colour == Colours::crowded ? 1 : std::uint32_t(width);
+      for (std::uint32_t k = 0; k < members.size(); ++k) {
+        if (k % lanes == 0) w_.rows.emplace_back();
+        w_.contacts[members[k]].group = std::uint32_t(w_.rows.size() - 1);
+        w_.contacts[members[k]].lane = k % lanes;
+      }
+    }
+  }
+
+  const ActiveContact& view(const SoftContact& c) const { return in_.contacts[c.in_view]; }
+
+  void prepare(SoftContact& c) {
+    const ActiveContact& from = view(c);
+    const Manifold& manifold = *from.manifold;
+    const ContactPlace& place = in_.contact_state.place[from.slot];
+    const Bodies& bodies = in_.bodies;
+    Rows& row = w_.rows[c.group];
+    const auto lane = int(c.lane);
+    const SoftBody &on_a = w_.bodies[c.a], &on_b = w_.bodies[c.b];
+    c.count = std::uint32_t(manifold.count);
+
+    const Vec3 n = manifold.normal, t1 = any_perpendicular(n), t2 = cross(n, t1);
+    const Vec3 to_shape = rotate(place.a.q, bodies.shape_frame[from.a].p);
+    Vec3 middle;
+    for (std::size_t k = 0; k < c.count; ++k) middle += manifold.points[k].at / Real(c.count);
+    const Vec3 ra = middle + to_shape, rb = ra + (place.a.p - place.b.p);
+    row.a[c.lane] = c.a, row.b[c.lane] = c.b;
+    set(row.n, lane, n), set(row.t1, lane, t1), set(row.ra, lane, ra), set(row.rb, lane, rb);
+
+    Response press, slide;
+    const auto side = [&](const SoftBody& on, const Vec3& r) {
+      if (!(on.inverse_mass > 0)) return;
+      const Mat3 inertia = inverse_inertia(on);
+      press.add(on.inverse_mass, 0, inertia, cross(r, n), -t2, t1);
+      slide.add(on.inverse_mass, on.inverse_mass, inertia, cross(r, t1), cross(r, t2), n);
+    };
+    side(on_a, ra), side(on_b, rb);
+    press.put(row.press, lane), slide.put(row.slide, lane);
+
+    const bool still = !moves(c.a) || !moves(c.b);
+    const Real frequency = min(set_.contact_frequency, Real(0.125) / h_);
+    const Softness soft = still ? softness(2 * frequency, Real(0.5) * set_.contact_damping, h_)
+                                : softness(frequency, set_.contact_damping, h_);
+    row.bias_rate[lane] = soft.bias_rate, row.mass_scale[lane] = soft.mass_scale, row.impulse_scale[lane] = soft.impulse_scale;
+
+    const Vec3 surfaces = bodies.surface_velocity_world(from.a) - bodies.surface_velocity_world(from.b);
+    row.glide_1[lane] = dot(surfaces, t1), row.glide_2[lane] = dot(surfaces, t2);
+    const Vec3 w = on_a.w - on_b.w;
+    const Vec3 u = (on_a.v - on_b.v) + (cross(on_a.w, ra) - cross(on_b.w, rb));
+    for (std::size_t k = 0; k < c.count; ++k) {
+      const Vec3 d = manifold.points[k].at - middle;
+      const Real x = dot(d, t1), y = dot(d, t2);
+      Rows::Point& p = row.points[k];
+      p.x[lane] = x, p.y[lane] = y;
+      p.separation[lane] = manifold.points[k].separation;
+      p.normal_mass[lane] = 1 / press.at(x, y);
+      p.tangent_mass[lane] = 1 / slide.largest(x, y);
+      c.approach = max(c.approach, -dot(u + cross(w, d), n));
+    }
+    if (from.material.restitution > 0) w_.bouncing.push_back(std::uint32_t(&c - w_.contacts.data()));
+    stand(c, n, ra, rb, t1, t2, row);
+  }
+
+  static void set(Vec3T<Rows::V>& to, int lane, const Vec3& v) { to.x[lane] = v.x, to.y[lane] = v.y, to.z[lane] = v.z; }
+
+  // How three velocities answer three impulses: matrices of SoftRows.
+  struct Response {
+    Real xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+    void add(Real m0, Real m1, const Mat3& inertia, const Vec3& j0, const Vec3& j1, const Vec3& j2) {
+      const Vec3 i0 = inertia * j0, i1 = inertia * j1, i2 = inertia * j2;
+      xx += m0 + dot(j0, i0), xy += dot(j0, i1), xz += dot(j0, i2);
+      yy += m1 + dot(j1, i1), yz += dot(j1, i2), zz += dot(j2, i2);
+    }
+    void put(Symmetric3<Rows::V>& to, int lane) const {
+      to.xx[lane] = xx, to.xy[lane] = xy, to.xz[lane] = xz, to.yy[lane] = yy, to.yz[lane] = yz, to.zz[lane] = zz;
+    }
+    // Along the normal at a point.
+    Real at(Real x, Real y) const { return xx + 2 * (x * xy + y * xz) + x * x * yy + 2 * x * y * yz + y * y * zz; }
+    // The larger eigenvalue along the surface at a point.
+    Real largest(Real x, Real y) const {
+      const Real k11 = xx - 2 * y * xz + y * y * zz, k22 = yy + 2 * x * yz + x * x * zz;
+      const Real k12 = xy + x * xz - y * yz - x * y * zz;
+      return (k11 + k22) * Real(0.5) + sqrt(square((k11 - k22) * Real(0.5)) + square(k12));
+    }
+  };
+
+  // --- loads ---
+
+  // Notes the contact as one that may carry.
+  void stand(SoftContact& c, const Vec3& n, const Vec3& ra, const Vec3& rb, const Vec3& t1, const Vec3& t2, const Rows& row) {
+    if (!set_.carry_loads || gravity_ == Vec3{}) return;
+    const Real g = length(gravity_), vertical = -dot(n, gravity_) / g;
+    if (abs(vertical) <= upright) return;
+    const bool a_above = vertical > 0;
+    const std::uint32_t upper = a_above ? c.a : c.b, lower = a_above ? c.b : c.a;
+    if (!moves(upper)) return;
+    Support s{.upper = upper, .lower = moves(lower) ? lower : 0, .count = c.count, .steepness = abs(vertical)};
+    bool near = false;
+    for (std::size_t k = 0; k < c.count; ++k) {
+      const Rows::Point& p = row.points[k];
+      const Vec3 d = t1 * p.x[int(c.lane)] + t2 * p.y[int(c.lane)];
+      s.arm_upper[k] = (a_above ? ra : rb) + d, s.arm_lower[k] = (a_above ? rb : ra) + d;
+      s.carries[k] = p.separation[int(c.lane)] < support_gap * unit_;
+      near |= s.carries[k];
+    }
+    if (!near) return;
+    c.support = std::uint32_t(w_.supports.size());
+    w_.supports.push_back(s);
+  }
+
+  void carry_loads() {
+    if (w_.supports.empty()) return;
+    const Real g = length(gravity_);
+    const Vec3 up = gravity_ * (-1 / g);
+    w_.weights.assign(w_.bodies.size(), 0), w_.heights.assign(w_.bodies.size(), 0);
+    for (const std::uint32_t i : w_.movers) {
+      const std::uint32_t slot = w_.slots[i];
+      const Pos& p = in_.bodies.position[slot];
+      w_.weights[i] = in_.bodies.mass[slot] * g * h_;
+      w_.heights[i] = double(up.x) * p.x + double(up.y) * p.y + double(up.z) * p.z;
+    }
+    w_.support_loads.solve(w_.supports, w_.movers, w_.weights, w_.heights, up);
+  }
+
+  // The impulses of the last step, point by feature; friction turned into the new tangent plane; a new contact begins
+  // with what it will carry.
+  void remember(SoftContact& c) {
+    const ActiveContact& from = view(c);
+    const Manifold& manifold = *from.manifold;
+    const ContactImpulse& stored = in_.contact_state.impulse[from.slot];
+    ContactReference& reference = in_.contact_state.reference[from.slot];
+    Rows& row = w_.rows[c.group];
+    const auto lane = int(c.lane);
+    const Vec3 t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
+    const Vec3 t2 = cross(manifold.normal, t1);
+    std::array<Real, 4> load{};
+    if (c.support != none) load = w_.supports[c.support].load;
+    Real carried = 0;
+    for (const Real l : load) carried += l;
+    const bool fresh = (manifold.bits & Manifold::began) != 0;
+    const bool eased = !fresh && carried < Real(0.9) * reference.carried;
+    Real held = 0;
+    ContactReference next{.carried = carried};
+    for (std::size_t k = 0; k < c.count; ++k) {
+      Rows::Point& p = row.points[k];
+      const int match = manifold.points[k].match;
+      Real normal = 0, kept = load[k];
+      Vec3 friction;
+      if (fresh) {
+        normal = load[k];
+      } else if (match >= 0) {
+        normal = stored.normal[std::size_t(match)];
+        friction = stored.friction[std::size_t(match)];
+        kept = min(reference.normal[std::size_t(match)], load[k]);
+        held += normal;
+        if (eased) normal *= carried / reference.carried;
+      }
+      next.normal[k] = kept;
+      p.normal[lane] = normal, p.reference[lane] = kept;
+      p.friction_1[lane] = dot(friction, t1), p.friction_2[lane] = dot(friction, t2);
+    }
+    reference = next;
+    c.fresh = fresh;
+    c.pressed = held > 0;
+    const Material& m = from.material;
+    const bool sticks = c.pressed ? in_.contact_state.slipping[from.slot] == 0 : true;
+    row.friction[lane] = sticks ? m.friction_static : m.friction_dynamic;
+  }
+
+  // --- restitution: true impacts, before this sub-step's gravity; one contact after the other, its points at once ---
+
+  Vec3 pressing(const Rows& row, int lane, const SoftBody& a, const SoftBody& b) const {
+    const Vec3 n{row.n.x[lane], row.n.y[lane], row.n.z[lane]}, t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
+    const Vec3 ra{row.ra.x[lane], row.ra.y[lane], row.ra.z[lane]}, rb{row.rb.x[lane], row.rb.y[lane], row.rb.z[lane]};
+    const Vec3 u = (a.v - b.v) + (cross(a.w, ra) - cross(b.w, rb)), w = a.w - b.w;
+    return {dot(u, n), -dot(w, cross(n, t1)), dot(w, t1)};
+  }
+
+  Real separation(const SoftContact& c, const Rows& row, std::size_t k) const {
+    SoftBody a, b;  // displacements in the place of velocities
+    a.v = w_.bodies[c.a].shift, a.w = w_.bodies[c.a].turn, b.v = w_.bodies[c.b].shift, b.w = w_.bodies[c.b].turn;
+    const auto lane = int(c.lane);
+    const Vec3 moved = pressing(row, lane, a, b);
+    const Rows::Point& p = row.points[k];
+    return p.separation[lane] + (moved.x + (p.x[lane] * moved.y + p.y[lane] * moved.z));
+  }
+
+  Real threshold() const { return 2 * length(gravity_) * h_; }  // slower is resting, m/s
+
+  void bounce() {
+    if (w_.bouncing.empty()) return;
+    for (int sweep = 0; sweep < 4; ++sweep) {
+      bool struck = false;
+      for (const std::uint32_t k : w_.bouncing) struck |= strike(w_.contacts[k]);
+      if (!struck) break;
+    }
+  }
+
+  bool strike(const SoftContact& c) {
+    Rows& row = w_.rows[c.group];
+    const auto lane = int(c.lane);
+    SoftBody &a = w_.bodies[c.a], &b = w_.bodies[c.b];
+    const Real e = view(c).material.restitution;
+    Vec3 g = pressing(row, lane, a, b);
+    const Vec3 n{row.n.x[lane], row.n.y[lane], row.n.z[lane]};
+    const Real pull = dot(n, w_.starts[c.a].acceleration - w_.starts[c.b].acceleration);
+    std::array<Real, 4> target{}, impulse{};
+    bool acts = false;
+    std::array<bool, 4> touches{};
+    for (std::size_t k = 0; k < c.count; ++k) {
+      const Rows::Point& p = row.points[k];
+      const Real u = g.x + p.x[lane] * g.y + p.y[lane] * g.z, s = separation(c, row, k);
+      touches[k] = s <= 0;
+      if (!touches[k]) continue;
+      acts |= u < -threshold();
+      // Falling on by the depth gave speed that the surface would not have seen.
+      const Real fallen = -2 * pull * s;
+      target[k] = u < 0 ? sqrt(max(Real(0), square(e) * max(Real(0), square(u) + fallen) - fallen)) : Real(0);
+    }
+    if (!acts) return false;
+    Vec3 press, slide;
+    const Symmetric3<Real> response{row.press.xx[lane], row.press.xy[lane], row.press.xz[lane],
+                                    row.press.yy[lane], row.press.yz[lane], row.press.zz[lane]};
+    for (int round = 0; round < 8; ++round) {
+      for (std::size_t k = 0; k < c.count; ++k) {
+        if (!touches[k]) continue;
+        const Rows::Point& p = row.points[k];
+        const Real x = p.x[lane], y = p.y[lane], u = g.x + x * g.y + y * g.z;
+        const Real next = max(Real(0), impulse[k] - p.normal_mass[lane] * (u - target[k]));
+        const Vec3 step{next - impulse[k], x * (next - impulse[k]), y * (next - impulse[k])};
+        impulse[k] = next;
+        press += step;
+        g += response * step;
+      }
+    }
+    push(row, lane, a, b, press, {});
+    rub(c, row, a, b, impulse);
+    w_.starts[c.a].bounced = w_.starts[c.b].bounced = true;
+    for (std::size_t k = 0; k < c.count; ++k) {
+      Rows::Point& p = row.points[k];
+      p.normal[lane] = p.friction_1[lane] = p.friction_2[lane] = 0;
+    }
+    w_.starts[c.a].gain_v = w_.starts[c.a].gain_w = w_.starts[c.b].gain_v = w_.starts[c.b].gain_w = {};
+    return true;
+  }
+
+  void rub(const SoftContact& c, const Rows& row, SoftBody& a, SoftBody& b, const std::array<Real, 4>& impulse) {
+    const auto lane = int(c.lane);
+    const Vec3 n{row.n.x[lane], row.n.y[lane], row.n.z[lane]}, t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
+    const Vec3 t2 = cross(n, t1);
+    const Vec3 ra{row.ra.x[lane], row.ra.y[lane], row.ra.z[lane]}, rb{row.rb.x[lane], row.rb.y[lane], row.rb.z[lane]};
+    const Vec3 u = (a.v - b.v) + (cross(a.w, ra) - cross(b.w, rb));
+    Vec3 g{dot(u, t1) + row.glide_1[lane], dot(u, t2) + row.glide_2[lane], dot(a.w - b.w, n)};
+    const Symmetric3<Real> response{row.slide.xx[lane], row.slide.xy[lane], row.slide.xz[lane],
+                                    row.slide.yy[lane], row.slide.yz[lane], row.slide.zz[lane]};
+    const Material& m = view(c).material;
+    std::array<Real, 4> f1{}, f2{};
+    Vec3 slide;
+    for (int round = 0; round < 8; ++round) {
+      for (std::size_t k = 0; k < c.count; ++k) {
+        const Rows::Point& p = row.points[k];
+        const Real x = p.x[lane], y = p.y[lane];
+        Real next_1 = f1[k] - p.tangent_mass[lane] * (g.x - y * g.z);
+        Real next_2 = f2[k] - p.tangent_mass[lane] * (g.y + x * g.z);
+        const Real size = sqrt(square(next_1) + square(next_2));
+        if (size > m.friction_static * impulse[k]) {
+          const Real cut = m.friction_dynamic * impulse[k] / size;
+          next_1 *= cut, next_2 *= cut;
+        }
+        const Vec3 step{next_1 - f1[k], next_2 - f2[k], x * (next_2 - f2[k]) - y * (next_1 - f1[k])};
+        f1[k] = next_1, f2[k] = next_2;
+        slide += step;
+        g += response * step;
+      }
+    }
+    push(row, lane, a, b, {}, slide);
+  }
+
+  static void push(const Rows& row, int lane, SoftBody& a, SoftBody& b, const Vec3& press, const Vec3& slide) {
+    const Vec3 n{row.n.x[lane], row.n.y[lane], row.n.z[lane]}, t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
+    const Vec3 t2 = cross(n, t1);
+    const Vec3 ra{row.ra.x[lane], row.ra.y[lane], row.ra.z[lane]}, rb{row.rb.x[lane], row.rb.y[lane], row.rb.z[lane]};
+    const Vec3 force = n * press.x + t1 * slide.x + t2 * slide.y, moment = t1 * press.z - t2 * press.y + n * slide.z;
+    if (a.inverse_mass > 0) a.v += force * a.inverse_mass, a.w += inverse_inertia(a) * (moment + cross(ra, force));
+    if (b.inverse_mass > 0) b.v -= force * b.inverse_mass, b.w -= inverse_inertia(b) * (moment + cross(rb, force));
+  }
+
+  // What comes fast and will bounce must not be braked before it touches.
+  void leave_bouncing_alone() {
+    for (const std::uint32_t k : w_.bouncing) {
+      SoftContact& c = w_.contacts[k];
+      Rows& row = w_.rows[c.group];
+      const auto lane = int(c.lane);
+      const Vec3 g = pressing(row, lane, w_.bodies[c.a], w_.bodies[c.b]);
+      Real fastest = 0, held = 0;
+      for (std::size_t p = 0; p < c.count; ++p) {
+        fastest = max(fastest, -(g.x + row.points[p].x[lane] * g.y + row.points[p].y[lane] * g.z));
+        held += row.points[p].normal[lane];
+      }
+      row.lift[lane] = held == 0 && fastest > threshold() ? Real(1e6) * unit_ : Real(0);
+    }
+  }
+
+  // --- the end of the step ---
+
+  void store() {
+    for (const SoftContact& c : w_.contacts) {
+      const ActiveContact& from = view(c);
+      const Rows& row = w_.rows[c.group];
+      const auto lane = int(c.lane);
+      const Vec3 t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]}, t2 = cross(from.manifold->normal, t1);
+      ContactImpulse& out = in_.contact_state.impulse[from.slot];
+      ContactReference& reference = in_.contact_state.reference[from.slot];
+      out = {};
+      Real held = 0, pull_1 = 0, pull_2 = 0;
+      bool everywhere = true;
+      const Real nearly = Real(0.999) * row.friction[lane];
+      for (std::size_t k = 0; k < c.count; ++k) {
+        const Rows::Point& p = row.points[k];
+        const Real normal = p.normal[lane], f1 = p.friction_1[lane], f2 = p.friction_2[lane];
+        out.normal[k] = normal;
+        out.friction[k] = t1 * f1 + t2 * f2;
+        held += normal, pull_1 += f1, pull_2 += f2;
+        everywhere &= sqrt(square(f1) + square(f2)) >= nearly * normal;
+        const Real load = c.support == none ? Real(0) : w_.supports[c.support].load[k];
+        reference.normal[k] = c.fresh ? load : reference.normal[k] + follow * (load - reference.normal[k]);
+      }
+      const bool slips = held > 0 && (everywhere || sqrt(square(pull_1) + square(pull_2)) >= nearly * held);
+      in_.contact_state.slipping[from.slot] = slips ? 1 : 0;
+      w_.out.points += c.count;
+      if (!c.pressed && held > 0 && c.approach > threshold()) {
+        w_.out.hits.push_back({c.in_view, {row.ra.x[lane], row.ra.y[lane], row.ra.z[lane]}, c.approach});
+      }
+    }
+  }
+
+  const StepView& in_;
+  const SoftStep& set_;
+  std::span<const std::uint32_t> number_of_;
+  Workspace& w_;
+  Real unit_, h_;
+  Vec3 gravity_;
+  PassSettings passes_settings_;
+};
+
+// Islands that are solved at once: enough to fill the lanes, few enough to stay in the caches.
+struct Plan {
+  std::vector<std::uint32_t> islands;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> batches;  // first, end in that list
+
+  void make(std::span<const Island> all, bool at_once) {
+    constexpr std::uint32_t enough = 2000;
+    islands.clear(), batches.clear();
+    std::uint32_t first = 0, cost = 0;
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+      islands.push_back(i);
+      cost += all[i].contacts.count + all[i].bodies.count;
+      if (at_once || cost < enough) continue;
+      batches.emplace_back(first, std::uint32_t(islands.size()));
+      first = std::uint32_t(islands.size()), cost = 0;
+    }
+    if (first < islands.size()) batches.emplace_back(first, std::uint32_t(islands.size()));
+  }
+};
+
+}
+
+struct SoftStepSolver::Memory {
+  std::vector<std::uint32_t> number_of;  // by slot: number in its batch; 0 but for what moves
+  std::vector<Workspace> work;           // by worker
+  Plan plan;
+};
+
+SoftStepSolver::SoftStepSolver() : memory_(std::make_unique<Memory>()) {}
+SoftStepSolver::SoftStepSolver(SoftStepSolver&&) noexcept = default;
+SoftStepSolver& SoftStepSolver::operator=(SoftStepSolver&&) noexcept = default;
+SoftStepSolver::~SoftStepSolver() = default;
+
+void SoftStepSolver::advance(const StepView& in, StepOutcome& out) {
+  if (!in.joints.empty()) throw Error("solver", "soft_step does not solve joints yet");
+  Memory& m = *memory_;
+  m.work.resize(in.pool.workers());
+  for (Workspace& w : m.work) w.out.clear();
+  m.plan.make(in.islands, act_from_afar(in.forces));
+  m.number_of.resize(in.bodies.size());
+  for (std::uint32_t k = 0; k < in.kinematic.size(); ++k) m.number_of[in.kinematic[k]] = k + 1;
+  for (const auto& [first, end] : m.plan.batches) {
+    auto next = std::uint32_t(in.kinematic.size()) + 1;
+    for (std::uint32_t k = first; k < end; ++k) {
+      for (const std::uint32_t i : in.islands[m.plan.islands[k]].bodies.of(in.awake)) m.number_of[i] = next++;
+    }
+  }
+  in.pool.for_each(std::uint32_t(m.plan.batches.size()), [&](std::uint32_t worker, std::uint32_t k) {
+    const auto [first, end] = m.plan.batches[k];
+    Batch(in, m.number_of, m.work[worker]).run(std::span(m.plan.islands).subspan(first, end - first));
+  });
+  for (const auto& list : {in.awake, in.kinematic}) {
+    for (const std::uint32_t i : list) m.number_of[i] = 0;
+  }
+  for (const std::uint32_t i : in.kinematic) {
+    for (int k = 0; k < in.substeps; ++k) carry(in.bodies, i, in.h);
+  }
+  for (const Workspace& w : m.work) out.add(w.out);
+  std::ranges::sort(out.hits, {}, &StepOutcome::Hit::contact);
+  std::ranges::sort(out.broken);
+}
+
+}
