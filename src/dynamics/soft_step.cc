@@ -17,7 +17,7 @@ using Passes = SoftPasses<width>;
 
 // Lengths, m · length_unit. Labs of recipe R6 (docs/notes/soft_step.md).
 constexpr Real reach = Real(0.010);         // a loaded point is held softly until it is so far apart
-constexpr Real support_gap = Real(0.018);   // nearer points may carry
+constexpr Real support_gap = Real(0.005);   // nearer points may carry
 constexpr Real upright = Real(0.3);         // cosine between normal and vertical above which a contact carries
 constexpr Real follow = Real(0.01);         // share by which a reference follows a growing load in a step
 
@@ -65,7 +65,7 @@ struct Workspace {
   std::vector<Support> supports;
   SupportLoads support_loads;
   std::vector<std::uint32_t> movers;    // numbers of dynamic bodies
-  std::vector<Real> weights;
+  std::vector<Real> weights, radii;
   std::vector<double> heights;
   std::vector<Wrench> loads;
   StepOutcome out;
@@ -291,7 +291,8 @@ class Batch {
       p.separation[lane] = manifold.points[k].separation;
       p.normal_mass[lane] = 1 / press.at(x, y);
       p.tangent_mass[lane] = 1 / slide.largest(x, y);
-      c.approach = max(c.approach, -dot(u + cross(w, d), n));
+      const Real approach = -dot(u + cross(w, d), n);
+      c.approach = k == 0 ? approach : max(c.approach, approach);
     }
     if (from.material.restitution > 0) w_.bouncing.push_back(std::uint32_t(&c - w_.contacts.data()));
     stand(c, n, ra, rb, t1, t2, row);
@@ -326,7 +327,7 @@ class Batch {
   void stand(SoftContact& c, const Vec3& n, const Vec3& ra, const Vec3& rb, const Vec3& t1, const Vec3& t2, const Rows& row) {
     if (!set_.carry_loads || gravity_ == Vec3{}) return;
     const Real g = length(gravity_), vertical = -dot(n, gravity_) / g;
-    if (abs(vertical) <= upright) return;
+    if (abs(vertical) <= upright || abs(c.approach) > calm()) return;
     const bool a_above = vertical > 0;
     const std::uint32_t upper = a_above ? c.a : c.b, lower = a_above ? c.b : c.a;
     if (!moves(upper)) return;
@@ -349,14 +350,19 @@ class Batch {
     const Real g = length(gravity_);
     const Vec3 up = gravity_ * (-1 / g);
     w_.weights.assign(w_.bodies.size(), 0), w_.heights.assign(w_.bodies.size(), 0);
+    w_.radii.assign(w_.bodies.size(), 0);
     for (const std::uint32_t i : w_.movers) {
       const std::uint32_t slot = w_.slots[i];
       const Pos& p = in_.bodies.position[slot];
+      w_.radii[i] = in_.bodies.radius[slot];
       w_.weights[i] = in_.bodies.mass[slot] * g * h_;
       w_.heights[i] = double(up.x) * p.x + double(up.y) * p.y + double(up.z) * p.z;
     }
-    w_.support_loads.solve(w_.supports, w_.movers, w_.weights, w_.heights, up);
+    w_.support_loads.solve(w_.supports, w_.movers, w_.weights, w_.heights, w_.radii, up);
   }
+
+  // What meets or parts faster is not at rest, and carries nothing yet, m/s: the speed of a fall from a millimetre up.
+  Real calm() const { return sqrt(2 * length(gravity_) * Real(1e-3) * unit_); }
 
   // The impulses of the last step, point by feature; friction turned into the new tangent plane; a new contact begins
   // with what it will carry.
@@ -374,7 +380,7 @@ class Batch {
     Real carried = 0;
     for (const Real l : load) carried += l;
     const bool fresh = (manifold.bits & Manifold::began) != 0;
-    const bool eased = !fresh && carried < Real(0.9) * reference.carried;
+    const bool eased = !fresh && carried > 0 && carried < Real(0.9) * reference.carried;
     Real held = 0;
     ContactReference next{.carried = carried};
     for (std::size_t k = 0; k < c.count; ++k) {

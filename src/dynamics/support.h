@@ -1,5 +1,6 @@
 // Which contact carries how much: the weight of everything that stands on something, handed down from body to body once
-// a step. A stack's solution is a guess here, not an answer: the solver lets impulses leak away towards these loads
+// a step. Only what stands on the ground, or on what does, carries: things that fall together do not weigh on each
+// other. A stack's solution is a guess here, not an answer: the solver lets impulses leak away towards these loads
 // instead of to zero, and so keeps soft contacts from sinking (soft_step.h).
 #pragma once
 
@@ -23,17 +24,20 @@ struct Support {
 
 class SupportLoads {
  public:
-  // `weight`: impulse of gravity on each body, N s, by number; `height`: of its centre along `up`, m. Only bodies in
+  // `weight`: impulse of gravity on each body, N s, by number; `height`: of its centre along `up`, m; `radius`, m. Only bodies in
   // `which` hand down; several islands at once do not mind each other.
   void solve(std::span<Support> supports, std::span<const std::uint32_t> which, std::span<const Real> weight,
-             std::span<const double> height, const Vec3& up);
+             std::span<const double> height, std::span<const Real> radius, const Vec3& up);
 
  private:
   struct Carried {
     Real load = 0;
     Vec3 moment;  // sum of load × arm, N s m
   };
+  void ground(std::span<const Support> supports);
+
   std::vector<Carried> carried_;             // by body
+  std::vector<std::uint8_t> grounded_;       // by body
   std::vector<std::uint32_t> first_, list_;  // supports by upper body
   std::vector<std::uint32_t> order_;
 };
