@@ -17,7 +17,7 @@ using Passes = SoftPasses<width>;
 
 // Lengths, m · length_unit. Labs of recipe R6 (docs/notes/soft_step.md).
 constexpr Real reach = Real(0.010);         // a loaded point is held softly until it is so far apart
-constexpr Real support_gap = Real(0.005);   // nearer points may carry
+constexpr Real support_gap = Real(0.018);   // nearer points may carry
 constexpr Real upright = Real(0.3);         // cosine between normal and vertical above which a contact carries
 constexpr Real follow = Real(0.01);         // share by which a reference follows a growing load in a step
 
@@ -362,7 +362,7 @@ class Batch {
   }
 
   // What meets or parts faster is not at rest, and carries nothing yet, m/s: the speed of a fall from a millimetre up.
-  Real calm() const { return sqrt(2 * length(gravity_) * Real(1e-3) * unit_); }
+  Real calm() const { return sqrt(2 * length(gravity_) * support_gap * unit_); }
 
   // The impulses of the last step, point by feature; friction turned into the new tangent plane; a new contact begins
   // with what it will carry.
@@ -379,24 +379,24 @@ class Batch {
     if (c.support != none) load = w_.supports[c.support].load;
     Real carried = 0;
     for (const Real l : load) carried += l;
-    const bool fresh = (manifold.bits & Manifold::began) != 0;
+    const bool began = (manifold.bits & Manifold::began) != 0;
+    const bool fresh = began || reference.carried < 0;  // has carried nothing yet
     const bool eased = !fresh && carried > 0 && carried < Real(0.9) * reference.carried;
     Real held = 0;
-    ContactReference next{.carried = carried};
+    ContactReference next{.normal = {}, .carried = c.support == none && fresh ? Real(-1) : carried};
     for (std::size_t k = 0; k < c.count; ++k) {
       Rows::Point& p = row.points[k];
       const int match = manifold.points[k].match;
       Real normal = 0, kept = load[k];
       Vec3 friction;
-      if (fresh) {
-        normal = load[k];
-      } else if (match >= 0) {
+      if (match >= 0 && !began) {
         normal = stored.normal[std::size_t(match)];
         friction = stored.friction[std::size_t(match)];
-        kept = min(reference.normal[std::size_t(match)], load[k]);
         held += normal;
+        if (!fresh) kept = min(reference.normal[std::size_t(match)], load[k]);
         if (eased) normal *= carried / reference.carried;
       }
+      if (fresh) normal = max(normal, load[k]);
       next.normal[k] = kept;
       p.normal[lane] = normal, p.reference[lane] = kept;
       p.friction_1[lane] = dot(friction, t1), p.friction_2[lane] = dot(friction, t2);
