@@ -394,11 +394,13 @@ struct SoftStep {
   Real contact_damping = 10;     // ratio ζ
   Real push_speed = 3;           // overlap is undone no faster, m/s · length_unit
   bool carry_loads = true;       // soft contacts do not sink under what they carry
+  std::int32_t lanes = 0;        // contacts solved side by side, at most; 0: as many as the processor can; changes no bit
 };
 template <class V, Like<SoftStep> T>
 void describe(V& v, T& d) {
   v("contact_frequency", d.contact_frequency, positive), v("contact_damping", d.contact_damping, not_negative);
   v("push_speed", d.push_speed, not_negative), v("carry_loads", d.carry_loads, any);
+  v("lanes", d.lanes, Range{0, 16});
 }
 
 struct Config {

@@ -1,177 +1,192 @@
-// The passes of soft_step over rows of W contacts. Where a formula comes from: see soft_step.h.
+// The passes of soft_step over contacts side by side, W in a register; compiled for each width by soft_passes_*.cc with
+// what the processor must have for it. Includes nothing that is also compiled elsewhere out of line: the linker would
+// keep one copy, and it might be the one that not every processor can run.
 #pragma once
 
-#include <span>
-
 #include "dynamics/soft_rows.h"
+#include "math/wide.h"
 
 namespace sudar::inline SUDAR_PRECISION {
-
-struct PassSettings {
-  Real h;           // s
-  Real push_speed;  // overlap is not undone faster, m/s
-  Real reach;       // within which a loaded point is still held though it is apart, m
-};
 
 template <int W>
 class SoftPasses {
  public:
-  using V = Wide<W>;
-  using Rows = SoftRows<W>;
-
-  SoftPasses(std::span<SoftBody> bodies, const PassSettings& set) : bodies_(bodies.data()), set_(set) {}
-
-  // Applies what is accumulated.
-  void warm(std::span<const Rows> rows) const {
-    for (const Rows& r : rows) {
-      const Side a = load_velocity(r.a), b = load_velocity(r.b);
-      Vec3T<V> press, slide;
-      for (const auto& p : r.points) {
-        press += Vec3T<V>{p.normal, p.x * p.normal, p.y * p.normal};
-        slide += Vec3T<V>{p.friction_1, p.friction_2, p.x * p.friction_2 - p.y * p.friction_1};
-      }
-      apply(r, a, b, press, slide);
-    }
-  }
-
-  // Normal impulses against overlap: soft below the reach, exact where points are farther apart.
-  void solve(std::span<Rows> rows) const {
-    for (Rows& r : rows) {
-      const Side a = load_velocity(r.a), b = load_velocity(r.b);
-      Vec3T<V> press;
-      press_points<true>(r, a, b, press);
-      apply(r, a, b, press, {});
-    }
-  }
-
-  // The same without the push that undoes overlap, then friction.
-  void relax(std::span<Rows> rows) const {
-    for (Rows& r : rows) {
-      const Side a = load_velocity(r.a), b = load_velocity(r.b);
-      Vec3T<V> press, slide;
-      press_points<false>(r, a, b, press);
-      rub_points(r, a, b, press, slide);
-      apply(r, a, b, press, slide);
-    }
+  static constexpr SoftPassTable table() {
+    return {W,
+            [](const SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
+              each(rows, n, [&](const SoftRows& r, int first) { SoftPasses(r, first, bodies, set).warm(r); });
+            },
+            [](SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
+              each(rows, n, [&](SoftRows& r, int first) { SoftPasses(r, first, bodies, set).solve(r); });
+            },
+            [](SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
+              each(rows, n, [&](SoftRows& r, int first) { SoftPasses(r, first, bodies, set).relax(r); });
+            }};
   }
 
  private:
+  using V = Wide<W>;
+  using Vec = Vec3T<V>;
   struct Side {
-    Vec3T<V> v, w;
+    Vec v, w;
     V inverse_mass, pad;
     Symmetric3<V> inverse_inertia;
   };
-  using Numbers = std::array<std::uint32_t, std::size_t(W)>;
 
-  template <class Member>
-  [[gnu::always_inline]] wide::Fours<W> load(const Numbers& n, Member SoftBody::* member) const {
-    return wide::load<W>([&](int lane) { return static_cast<const void*>(&(bodies_[n[std::size_t(lane)]].*member)); });
-  }
-  [[gnu::always_inline]] Side load_velocity(const Numbers& n) const {
-    const auto v = load(n, &SoftBody::v), w = load(n, &SoftBody::w), i = load(n, &SoftBody::xx), j = load(n, &SoftBody::yz);
-    return {{v.x, v.y, v.z}, {w.x, w.y, w.z}, v.w, w.w, {i.x, i.y, i.z, i.w, j.x, j.y}};
+  // Every W lanes in use.
+  template <class Rows, class Visit>
+  [[gnu::always_inline]] static void each(Rows* rows, std::size_t n, Visit visit) {
+    for (Rows* r = rows; r != rows + n; ++r) {
+      for (int first = 0; first < int(r->used); first += W) visit(*r, first);
+    }
   }
 
-  // How the middle has moved along the normal, and tilted, since the step began.
-  [[gnu::always_inline]] Vec3T<V> displacement(const Rows& r, const Vec3T<V>& t2) const {
-    const auto sa = load(r.a, &SoftBody::shift), sb = load(r.b, &SoftBody::shift);
-    const auto ta = load(r.a, &SoftBody::turn), tb = load(r.b, &SoftBody::turn);
-    return pressing(r, t2, {sa.x, sa.y, sa.z}, {ta.x, ta.y, ta.z}, {sb.x, sb.y, sb.z}, {tb.x, tb.y, tb.z});
+  [[gnu::always_inline]] SoftPasses(const SoftRows& r, int first, SoftBody* bodies, const PassSettings& set)
+      : first_(first), bodies_(bodies), set_(set), a_(r.a + first), b_(r.b + first), n_(get(r.n)), t1_(get(r.t1)),
+        t2_(cross(n_, t1_)), ra_(get(r.ra)), rb_(get(r.rb)), on_a_(load_velocity(a_)), on_b_(load_velocity(b_)) {}
+
+  [[gnu::always_inline]] void warm(const SoftRows& r) {
+    Vec press, slide;
+    for (const SoftRows::Point& p : r.points) {
+      const V x = get(p.x), y = get(p.y), normal = get(p.normal), f1 = get(p.friction_1), f2 = get(p.friction_2);
+      press += Vec{normal, x * normal, y * normal};
+      slide += Vec{f1, f2, x * f2 - y * f1};
+    }
+    push(press, slide);
+    save();
   }
-  [[gnu::always_inline]] static Vec3T<V> pressing(const Rows& r, const Vec3T<V>& t2, const Vec3T<V>& va, const Vec3T<V>& wa,
-                                                  const Vec3T<V>& vb, const Vec3T<V>& wb) {
-    const Vec3T<V> u = (va - vb) + (cross(wa, r.ra) - cross(wb, r.rb)), w = wa - wb;
-    return {dot(u, r.n), -dot(w, t2), dot(w, r.t1)};
+  [[gnu::always_inline]] void solve(SoftRows& r) {
+    press_points<true>(r);
+    save();
+  }
+  [[gnu::always_inline]] void relax(SoftRows& r) {
+    press_points<false>(r);
+    rub_points(r);
+    save();
   }
 
-  template <bool push>
-  [[gnu::always_inline]] void press_points(Rows& r, const Side& a, const Side& b, Vec3T<V>& sum) const {
-    const Vec3T<V> t2 = cross(r.n, r.t1);
-    const Vec3T<V> moved = displacement(r, t2);
-    Vec3T<V> g = pressing(r, t2, a.v, a.w, b.v, b.w);
-    const V per_h = wide::all<V>(1 / set_.h), zero{};
-    V bias[4], mass[4], leak[4];
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto& p = r.points[i];
-      const V s = p.separation + (moved.x + (p.x * moved.y + p.y * moved.z)) + r.lift;
-      const V held = p.reference > 0 ? wide::all<V>(set_.reach) : zero;
+  // How the middle moves along the normal, and tilts.
+  [[gnu::always_inline]] Vec pressing(const Vec& va, const Vec& wa, const Vec& vb, const Vec& wb) const {
+    const Vec u = (va - vb) + (cross(wa, ra_) - cross(wb, rb_)), w = wa - wb;
+    return {dot(u, n_), -dot(w, t2_), dot(w, t1_)};
+  }
+
+  template <bool undo_overlap>
+  [[gnu::always_inline]] void press_points(SoftRows& r) {
+    const auto shift_a = load(a_, &SoftBody::shift), shift_b = load(b_, &SoftBody::shift);
+    const auto turn_a = load(a_, &SoftBody::turn), turn_b = load(b_, &SoftBody::turn);
+    const Vec moved = pressing({shift_a.x, shift_a.y, shift_a.z}, {turn_a.x, turn_a.y, turn_a.z},
+                               {shift_b.x, shift_b.y, shift_b.z}, {turn_b.x, turn_b.y, turn_b.z});
+    Vec g = pressing(on_a_.v, on_a_.w, on_b_.v, on_b_.w);
+    const Symmetric3<V> response = get(r.press);
+    const V per_h = wide::all<V>(1 / set_.h), zero{}, lift = get(r.lift);
+    V x[4], y[4], bias[4], mass[4], leak[4], reference[4], normal[4];
+    for (int i = 0; i < 4; ++i) {
+      const SoftRows::Point& p = r.points[i];
+      x[i] = get(p.x), y[i] = get(p.y), reference[i] = get(p.reference), normal[i] = get(p.normal);
+      mass[i] = get(p.normal_mass);
+      const V s = get(p.separation) + (moved.x + (x[i] * moved.y + y[i] * moved.z)) + lift;
+      const V held = reference[i] > zero ? wide::all<V>(set_.reach) : zero;
       const auto apart = s > held;
       const V gap = (s - held) * per_h;
-      if constexpr (push) {
-        bias[i] = apart ? gap : wide::larger(r.bias_rate * s, wide::all<V>(-set_.push_speed));
-        mass[i] = apart ? p.normal_mass : p.normal_mass * r.mass_scale;
-        leak[i] = apart ? zero : r.impulse_scale;
+      if constexpr (undo_overlap) {
+        bias[i] = apart ? gap : wide::larger(get(r.bias_rate) * s, wide::all<V>(-set_.push_speed));
+        mass[i] = apart ? mass[i] : mass[i] * get(r.mass_scale);
+        leak[i] = apart ? zero : get(r.impulse_scale);
       } else {
         bias[i] = apart ? gap : zero;
-        mass[i] = p.normal_mass;
       }
     }
-    const int sweeps = 2;
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      for (std::size_t i = 0; i < 4; ++i) {
-        auto& p = r.points[i];
-        const V u = g.x + (p.x * g.y + p.y * g.z);
-        V next = p.normal - mass[i] * (u + bias[i]);
-        if constexpr (push) next -= leak[i] * (p.normal - p.reference);
+    Vec sum;
+    for (int sweep = 0; sweep < 2; ++sweep) {
+      for (int i = 0; i < 4; ++i) {
+        V next = normal[i] - mass[i] * (g.x + (x[i] * g.y + y[i] * g.z) + bias[i]);
+        if constexpr (undo_overlap) next -= leak[i] * (normal[i] - reference[i]);
         next = wide::larger(next, zero);
-        const V d = next - p.normal;
-        p.normal = next;
-        const Vec3T<V> step{d, p.x * d, p.y * d};
+        const V d = next - normal[i];
+        normal[i] = next;
+        const Vec step{d, x[i] * d, y[i] * d};
         sum += step;
-        g += r.press * step;
+        g += response * step;
       }
     }
+    for (int i = 0; i < 4; ++i) put(r.points[i].normal, normal[i]);
+    push(sum, {});
   }
 
   // Friction, point by point, each as far as its own normal impulse lets it hold.
-  [[gnu::always_inline]] void rub_points(Rows& r, const Side& a, const Side& b, const Vec3T<V>& press, Vec3T<V>& sum) const {
-    const Vec3T<V> t2 = cross(r.n, r.t1);
-    Side moved_a = a, moved_b = b;
-    push(r, t2, moved_a, moved_b, press, {});
-    const Vec3T<V> u = (moved_a.v - moved_b.v) + (cross(moved_a.w, r.ra) - cross(moved_b.w, r.rb));
-    Vec3T<V> g{dot(u, r.t1) + r.glide_1, dot(u, t2) + r.glide_2, dot(moved_a.w - moved_b.w, r.n)};
-    for (auto& p : r.points) {
-      V next_1 = p.friction_1 - p.tangent_mass * (g.x - p.y * g.z);
-      V next_2 = p.friction_2 - p.tangent_mass * (g.y + p.x * g.z);
-      const V most = r.friction * p.normal, size = next_1 * next_1 + next_2 * next_2;
-      const V cut = size > most * most ? most / wide::root(wide::larger(size, wide::all<V>(tiny))) : wide::all<V>(1);
+  [[gnu::always_inline]] void rub_points(SoftRows& r) {
+    const Vec u = (on_a_.v - on_b_.v) + (cross(on_a_.w, ra_) - cross(on_b_.w, rb_));
+    Vec g{dot(u, t1_) + get(r.glide_1), dot(u, t2_) + get(r.glide_2), dot(on_a_.w - on_b_.w, n_)};
+    const Symmetric3<V> response = get(r.slide);
+    const V coefficient = get(r.friction), one = wide::all<V>(1);
+    Vec sum;
+    for (SoftRows::Point& p : r.points) {
+      const V x = get(p.x), y = get(p.y), mass = get(p.tangent_mass), f1 = get(p.friction_1), f2 = get(p.friction_2);
+      V next_1 = f1 - mass * (g.x - y * g.z), next_2 = f2 - mass * (g.y + x * g.z);
+      const V most = coefficient * get(p.normal), size = next_1 * next_1 + next_2 * next_2;
+      const V cut = size > most * most ? most / wide::root(wide::larger(size, wide::all<V>(tiny))) : one;
       next_1 *= cut, next_2 *= cut;
-      const V d1 = next_1 - p.friction_1, d2 = next_2 - p.friction_2;
-      p.friction_1 = next_1, p.friction_2 = next_2;
-      const Vec3T<V> step{d1, d2, p.x * d2 - p.y * d1};
+      put(p.friction_1, next_1), put(p.friction_2, next_2);
+      const V d1 = next_1 - f1, d2 = next_2 - f2;
+      const Vec step{d1, d2, x * d2 - y * d1};
       sum += step;
-      g += r.slide * step;
+      g += response * step;
     }
+    push({}, sum);
   }
 
-  [[gnu::always_inline]] static void push(const Rows& r, const Vec3T<V>& t2, Side& a, Side& b, const Vec3T<V>& press,
-                                          const Vec3T<V>& slide) {
-    const Vec3T<V> force = r.n * press.x + r.t1 * slide.x + t2 * slide.y;
-    const Vec3T<V> moment = r.t1 * press.z - t2 * press.y + r.n * slide.z;
-    a.v += force * a.inverse_mass;
-    a.w += a.inverse_inertia * (moment + cross(r.ra, force));
-    b.v -= force * b.inverse_mass;
-    b.w -= b.inverse_inertia * (moment + cross(r.rb, force));
+  [[gnu::always_inline]] void push(const Vec& press, const Vec& slide) {
+    const Vec force = n_ * press.x + t1_ * slide.x + t2_ * slide.y;
+    const Vec moment = t1_ * press.z - t2_ * press.y + n_ * slide.z;
+    on_a_.v += force * on_a_.inverse_mass;
+    on_a_.w += on_a_.inverse_inertia * (moment + cross(ra_, force));
+    on_b_.v -= force * on_b_.inverse_mass;
+    on_b_.w -= on_b_.inverse_inertia * (moment + cross(rb_, force));
   }
-  [[gnu::always_inline]] void apply(const Rows& r, Side a, Side b, const Vec3T<V>& press, const Vec3T<V>& slide) const {
-    push(r, cross(r.n, r.t1), a, b, press, slide);
-    save(r.a, a), save(r.b, b);
+
+  // --- memory ---
+
+  [[gnu::always_inline]] V get(const SoftLanes& m) const {
+    V v;
+    __builtin_memcpy(&v, m.x + first_, sizeof v);
+    return v;
   }
-  [[gnu::always_inline]] void save(const Numbers& n, const Side& s) const {
-    const auto put = [&](auto member, const V& x, const V& y, const V& z, const V& w) {
-      wide::store<W>({x, y, z, w}, [&](int lane, const Wide<4>& four) {
-        const std::uint32_t body = n[std::size_t(lane)];
-        if (body != 0) *reinterpret_cast<Wide<4>*>(&(bodies_[body].*member)) = four;
-      });
-    };
-    put(&SoftBody::v, s.v.x, s.v.y, s.v.z, s.inverse_mass);
-    put(&SoftBody::w, s.w.x, s.w.y, s.w.z, s.pad);
+  [[gnu::always_inline]] Vec get(const Vec3T<SoftLanes>& m) const { return {get(m.x), get(m.y), get(m.z)}; }
+  [[gnu::always_inline]] Symmetric3<V> get(const Symmetric3<SoftLanes>& m) const {
+    return {get(m.xx), get(m.xy), get(m.xz), get(m.yy), get(m.yz), get(m.zz)};
+  }
+  [[gnu::always_inline]] void put(SoftLanes& m, const V& v) const { __builtin_memcpy(m.x + first_, &v, sizeof v); }
+
+  template <class Member>
+  [[gnu::always_inline]] wide::Fours<W> load(const std::uint32_t* numbers, Member SoftBody::* member) const {
+    return wide::load<W>([&](int lane) { return static_cast<const void*>(&(bodies_[numbers[lane]].*member)); });
+  }
+  [[gnu::always_inline]] Side load_velocity(const std::uint32_t* n) const {
+    const auto v = load(n, &SoftBody::v), w = load(n, &SoftBody::w), i = load(n, &SoftBody::xx), j = load(n, &SoftBody::yz);
+    return {{v.x, v.y, v.z}, {w.x, w.y, w.z}, v.w, w.w, {i.x, i.y, i.z, i.w, j.x, j.y}};
+  }
+  template <class Member>
+  [[gnu::always_inline]] void store(const std::uint32_t* numbers, Member SoftBody::* member, const wide::Fours<W>& f) const {
+    wide::store<W>(f, [&](int lane, const Wide<4>& four) {
+      if (numbers[lane] != 0) __builtin_memcpy(static_cast<void*>(&(bodies_[numbers[lane]].*member)), &four, sizeof four);
+    });
+  }
+  [[gnu::always_inline]] void save() const {
+    store(a_, &SoftBody::v, {on_a_.v.x, on_a_.v.y, on_a_.v.z, on_a_.inverse_mass});
+    store(a_, &SoftBody::w, {on_a_.w.x, on_a_.w.y, on_a_.w.z, on_a_.pad});
+    store(b_, &SoftBody::v, {on_b_.v.x, on_b_.v.y, on_b_.v.z, on_b_.inverse_mass});
+    store(b_, &SoftBody::w, {on_b_.w.x, on_b_.w.y, on_b_.w.z, on_b_.pad});
   }
 
   static constexpr Real tiny = std::numeric_limits<Real>::min();
 
+  int first_;  // lane
   SoftBody* bodies_;
-  PassSettings set_;
+  const PassSettings& set_;
+  const std::uint32_t *a_, *b_;
+  Vec n_, t1_, t2_, ra_, rb_;
+  Side on_a_, on_b_;
 };
 
 }

@@ -1,13 +1,12 @@
-// Contacts as soft_step iterates on them: W contacts side by side, one a lane, no two of which share a body that answers
-// impulses. All that the points of one contact do to each other along the normal goes through three numbers: how the
-// contact's middle moves along the normal, and how it tilts about the two tangents. All that they do along the surface
-// goes through three others. So a visit reads the bodies once and writes them once.
+// Contacts as soft_step iterates on them: some contacts side by side, one a lane, no two of which share a body that
+// answers impulses. All that the points of one contact do to each other along the normal goes through three numbers: how
+// the contact's middle moves along the normal, and how it tilts about the two tangents. All that they do along the
+// surface goes through three others. So a visit reads the bodies once and writes them once.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
-#include "math/wide.h"
+#include <sudar/math.h>
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -36,27 +35,55 @@ struct Symmetric3 {
   }
 };
 
-template <int W>
-struct SoftRows {
-  using V = Wide<W>;
-  struct Point {
-    V x{}, y{};                 // from the middle along the tangents, m
-    V separation{};             // when the step began, m
-    V normal_mass{};            // 1 / nᵀKn; 0: there is no such point
-    V tangent_mass{};           // 1 / the larger eigenvalue of K in the tangent plane
-    V normal{}, reference{};    // accumulated impulse; the part of it that does not leak away, N s
-    V friction_1{}, friction_2{};
-  };
-  Vec3T<V> n, t1;               // normal from b to a; t2 = n × t1
-  Vec3T<V> ra, rb;              // the middle from the centres of mass, world axes, m
-  Symmetric3<V> press;          // how (u·n, −ω·t2, ω·t1) answers impulses along the normal at (1, x, y)
-  Symmetric3<V> slide;          // how (u·t1, u·t2, ω·n) answers those along the surface
-  V friction{};                 // coefficient, static or dynamic: chosen once a step
-  V lift{};                     // added to separations: far apart where the contact is to be left alone
-  V glide_1{}, glide_2{};       // how the surfaces move along themselves, a less b, m/s
-  V bias_rate{}, mass_scale{}, impulse_scale{};  // softness
-  std::array<Point, 4> points;
-  std::array<std::uint32_t, W> a{}, b{};         // numbers of the bodies
+// A number of each of the contacts side by side, as it lies in memory. Passes take them in registers of fewer lanes, if
+// that is what the processor has.
+struct alignas(64) SoftLanes {
+  static constexpr int count = 16;
+  Real x[count]{};
+  Real& operator[](std::uint32_t lane) { return x[lane]; }
+  const Real& operator[](std::uint32_t lane) const { return x[lane]; }
 };
+
+struct SoftRows {
+  using V = SoftLanes;
+  struct Point {
+    V x, y;              // from the middle along the tangents, m
+    V separation;        // when the step began, m
+    V normal_mass;       // 1 / nᵀKn; 0: there is no such point
+    V tangent_mass;      // 1 / the larger eigenvalue of K in the tangent plane
+    V reference;         // impulse that does not leak away, N s
+    V normal, friction_1, friction_2;  // accumulated, N s
+  };
+  Vec3T<V> n, t1;        // normal from b to a; t2 = n × t1
+  Vec3T<V> ra, rb;       // the middle from the centres of mass, world axes, m
+  Symmetric3<V> press;   // how (u·n, −ω·t2, ω·t1) answers impulses along the normal at (1, x, y)
+  Symmetric3<V> slide;   // how (u·t1, u·t2, ω·n) answers those along the surface
+  V friction;            // coefficient, static or dynamic: chosen once a step
+  V lift;                // added to separations: far apart where the contact is to be left alone
+  V glide_1, glide_2;    // how the surfaces move along themselves, a less b, m/s
+  V bias_rate, mass_scale, impulse_scale;          // softness
+  Point points[4];
+  std::uint32_t a[V::count]{}, b[V::count]{};      // numbers of the bodies
+  std::uint32_t used = 0;                          // lanes, the first ones
+};
+
+struct PassSettings {
+  Real h;           // s
+  Real push_speed;  // overlap is not undone faster, m/s
+  Real reach;       // within which a loaded point is still held though it is apart, m
+};
+
+// The passes, for registers of some width.
+struct SoftPassTable {
+  int lanes;
+  // Applies what is accumulated.
+  void (*warm)(const SoftRows*, std::size_t, SoftBody*, const PassSettings&);
+  // Normal impulses against overlap: soft where points are within reach, exact where they are farther apart.
+  void (*solve)(SoftRows*, std::size_t, SoftBody*, const PassSettings&);
+  // The same without the push that undoes overlap; then friction.
+  void (*relax)(SoftRows*, std::size_t, SoftBody*, const PassSettings&);
+};
+// The widest that this processor has, of at most `lanes`; 0: any. All have the same bits.
+const SoftPassTable& soft_passes(int lanes);
 
 }

@@ -4,16 +4,12 @@
 
 #include "dynamics/colours.h"
 #include "dynamics/integrate.h"
-#include "dynamics/soft_passes.h"
+#include "dynamics/soft_rows.h"
 #include "dynamics/support.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
 namespace {
-
-constexpr int width = 8;
-using Rows = SoftRows<width>;
-using Passes = SoftPasses<width>;
 
 // Lengths, m · length_unit. Labs of recipe R6 (docs/notes/soft_step.md).
 constexpr Real reach = Real(0.010);         // a loaded point is held softly until it is so far apart
@@ -60,7 +56,7 @@ struct Workspace {
   std::vector<BodyStart> starts;
   std::vector<SoftContact> contacts;
   Colours colours;
-  std::vector<Rows> rows;
+  std::vector<SoftRows> rows;
   std::vector<std::uint32_t> bouncing;  // contacts
   std::vector<Support> supports;
   SupportLoads support_loads;
@@ -81,16 +77,16 @@ class Batch {
   void run(std::span<const std::uint32_t> islands) {
     gather_bodies(islands);
     gather_contacts(islands);
-    const Passes passes(w_.bodies, passes_settings_);
-    const std::span<Rows> rows = w_.rows;
+    const SoftPassTable& passes = soft_passes(set_.lanes);
+    const auto pass = [&](auto visit) { visit(w_.rows.data(), w_.rows.size(), w_.bodies.data(), passes_settings_); };
     for (int k = 0; k < in_.substeps; ++k) {
       bounce();
       accelerate_all();
       leave_bouncing_alone();
-      if (k == 0) passes.warm(rows); else repeat_gain();
-      passes.solve(rows);
+      if (k == 0) pass(passes.warm); else repeat_gain();
+      pass(passes.solve);
       drift_all();
-      passes.relax(rows);
+      pass(passes.relax);
       note_gain();
     }
     store();
@@ -234,11 +230,12 @@ class Batch {
     w_.rows.clear();
     for (std::uint32_t colour = 0; colour <= Colours::colours; ++colour) {
       const auto members = w_.colours.of(colour);
-      const std::uint32_t lanes = colour == Colours::crowded ? 1 : std::uint32_t(width);
+      const std::uint32_t lanes = colour == Colours::crowded ? 1 : std::uint32_t(SoftLanes::count);
       for (std::uint32_t k = 0; k < members.size(); ++k) {
         if (k % lanes == 0) w_.rows.emplace_back();
         w_.contacts[members[k]].group = std::uint32_t(w_.rows.size() - 1);
         w_.contacts[members[k]].lane = k % lanes;
+        ++w_.rows.back().used;
       }
     }
   }
@@ -250,8 +247,8 @@ class Batch {
     const Manifold& manifold = *from.manifold;
     const ContactPlace& place = in_.contact_state.place[from.slot];
     const Bodies& bodies = in_.bodies;
-    Rows& row = w_.rows[c.group];
-    const auto lane = int(c.lane);
+    SoftRows& row = w_.rows[c.group];
+    const std::uint32_t lane = c.lane;
     const SoftBody &on_a = w_.bodies[c.a], &on_b = w_.bodies[c.b];
     c.count = std::uint32_t(manifold.count);
 
@@ -286,7 +283,7 @@ class Batch {
     for (std::size_t k = 0; k < c.count; ++k) {
       const Vec3 d = manifold.points[k].at - middle;
       const Real x = dot(d, t1), y = dot(d, t2);
-      Rows::Point& p = row.points[k];
+      SoftRows::Point& p = row.points[k];
       p.x[lane] = x, p.y[lane] = y;
       p.separation[lane] = manifold.points[k].separation;
       p.normal_mass[lane] = 1 / press.at(x, y);
@@ -298,7 +295,7 @@ class Batch {
     stand(c, n, ra, rb, t1, t2, row);
   }
 
-  static void set(Vec3T<Rows::V>& to, int lane, const Vec3& v) { to.x[lane] = v.x, to.y[lane] = v.y, to.z[lane] = v.z; }
+  static void set(Vec3T<SoftLanes>& to, std::uint32_t lane, const Vec3& v) { to.x[lane] = v.x, to.y[lane] = v.y, to.z[lane] = v.z; }
 
   // How three velocities answer three impulses: matrices of SoftRows.
   struct Response {
@@ -308,7 +305,7 @@ class Batch {
       xx += m0 + dot(j0, i0), xy += dot(j0, i1), xz += dot(j0, i2);
       yy += m1 + dot(j1, i1), yz += dot(j1, i2), zz += dot(j2, i2);
     }
-    void put(Symmetric3<Rows::V>& to, int lane) const {
+    void put(Symmetric3<SoftLanes>& to, std::uint32_t lane) const {
       to.xx[lane] = xx, to.xy[lane] = xy, to.xz[lane] = xz, to.yy[lane] = yy, to.yz[lane] = yz, to.zz[lane] = zz;
     }
     // Along the normal at a point.
@@ -324,7 +321,7 @@ class Batch {
   // --- loads ---
 
   // Notes the contact as one that may carry.
-  void stand(SoftContact& c, const Vec3& n, const Vec3& ra, const Vec3& rb, const Vec3& t1, const Vec3& t2, const Rows& row) {
+  void stand(SoftContact& c, const Vec3& n, const Vec3& ra, const Vec3& rb, const Vec3& t1, const Vec3& t2, const SoftRows& row) {
     if (!set_.carry_loads || gravity_ == Vec3{}) return;
     const Real g = length(gravity_), vertical = -dot(n, gravity_) / g;
     if (abs(vertical) <= upright || abs(c.approach) > calm()) return;
@@ -334,10 +331,10 @@ class Batch {
     Support s{.upper = upper, .lower = moves(lower) ? lower : 0, .count = c.count, .steepness = abs(vertical)};
     bool near = false;
     for (std::size_t k = 0; k < c.count; ++k) {
-      const Rows::Point& p = row.points[k];
-      const Vec3 d = t1 * p.x[int(c.lane)] + t2 * p.y[int(c.lane)];
+      const SoftRows::Point& p = row.points[k];
+      const Vec3 d = t1 * p.x[c.lane] + t2 * p.y[c.lane];
       s.arm_upper[k] = (a_above ? ra : rb) + d, s.arm_lower[k] = (a_above ? rb : ra) + d;
-      s.carries[k] = p.separation[int(c.lane)] < support_gap * unit_;
+      s.carries[k] = p.separation[c.lane] < support_gap * unit_;
       near |= s.carries[k];
     }
     if (!near) return;
@@ -371,8 +368,8 @@ class Batch {
     const Manifold& manifold = *from.manifold;
     const ContactImpulse& stored = in_.contact_state.impulse[from.slot];
     ContactReference& reference = in_.contact_state.reference[from.slot];
-    Rows& row = w_.rows[c.group];
-    const auto lane = int(c.lane);
+    SoftRows& row = w_.rows[c.group];
+    const std::uint32_t lane = c.lane;
     const Vec3 t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
     const Vec3 t2 = cross(manifold.normal, t1);
     std::array<Real, 4> load{};
@@ -385,7 +382,7 @@ class Batch {
     Real held = 0;
     ContactReference next{.normal = {}, .carried = c.support == none && fresh ? Real(-1) : carried};
     for (std::size_t k = 0; k < c.count; ++k) {
-      Rows::Point& p = row.points[k];
+      SoftRows::Point& p = row.points[k];
       const int match = manifold.points[k].match;
       Real normal = 0, kept = load[k];
       Vec3 friction;
@@ -411,19 +408,19 @@ class Batch {
 
   // --- restitution: true impacts, before this sub-step's gravity; one contact after the other, its points at once ---
 
-  Vec3 pressing(const Rows& row, int lane, const SoftBody& a, const SoftBody& b) const {
+  Vec3 pressing(const SoftRows& row, std::uint32_t lane, const SoftBody& a, const SoftBody& b) const {
     const Vec3 n{row.n.x[lane], row.n.y[lane], row.n.z[lane]}, t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
     const Vec3 ra{row.ra.x[lane], row.ra.y[lane], row.ra.z[lane]}, rb{row.rb.x[lane], row.rb.y[lane], row.rb.z[lane]};
     const Vec3 u = (a.v - b.v) + (cross(a.w, ra) - cross(b.w, rb)), w = a.w - b.w;
     return {dot(u, n), -dot(w, cross(n, t1)), dot(w, t1)};
   }
 
-  Real separation(const SoftContact& c, const Rows& row, std::size_t k) const {
+  Real separation(const SoftContact& c, const SoftRows& row, std::size_t k) const {
     SoftBody a, b;  // displacements in the place of velocities
     a.v = w_.bodies[c.a].shift, a.w = w_.bodies[c.a].turn, b.v = w_.bodies[c.b].shift, b.w = w_.bodies[c.b].turn;
-    const auto lane = int(c.lane);
+    const std::uint32_t lane = c.lane;
     const Vec3 moved = pressing(row, lane, a, b);
-    const Rows::Point& p = row.points[k];
+    const SoftRows::Point& p = row.points[k];
     return p.separation[lane] + (moved.x + (p.x[lane] * moved.y + p.y[lane] * moved.z));
   }
 
@@ -439,8 +436,8 @@ class Batch {
   }
 
   bool strike(const SoftContact& c) {
-    Rows& row = w_.rows[c.group];
-    const auto lane = int(c.lane);
+    SoftRows& row = w_.rows[c.group];
+    const std::uint32_t lane = c.lane;
     SoftBody &a = w_.bodies[c.a], &b = w_.bodies[c.b];
     const Real e = view(c).material.restitution;
     Vec3 g = pressing(row, lane, a, b);
@@ -450,7 +447,7 @@ class Batch {
     bool acts = false;
     std::array<bool, 4> touches{};
     for (std::size_t k = 0; k < c.count; ++k) {
-      const Rows::Point& p = row.points[k];
+      const SoftRows::Point& p = row.points[k];
       const Real u = g.x + p.x[lane] * g.y + p.y[lane] * g.z, s = separation(c, row, k);
       touches[k] = s <= 0;
       if (!touches[k]) continue;
@@ -466,7 +463,7 @@ class Batch {
     for (int round = 0; round < 8; ++round) {
       for (std::size_t k = 0; k < c.count; ++k) {
         if (!touches[k]) continue;
-        const Rows::Point& p = row.points[k];
+        const SoftRows::Point& p = row.points[k];
         const Real x = p.x[lane], y = p.y[lane], u = g.x + x * g.y + y * g.z;
         const Real next = max(Real(0), impulse[k] - p.normal_mass[lane] * (u - target[k]));
         const Vec3 step{next - impulse[k], x * (next - impulse[k]), y * (next - impulse[k])};
@@ -479,15 +476,15 @@ class Batch {
     rub(c, row, a, b, impulse);
     w_.starts[c.a].bounced = w_.starts[c.b].bounced = true;
     for (std::size_t k = 0; k < c.count; ++k) {
-      Rows::Point& p = row.points[k];
+      SoftRows::Point& p = row.points[k];
       p.normal[lane] = p.friction_1[lane] = p.friction_2[lane] = 0;
     }
     w_.starts[c.a].gain_v = w_.starts[c.a].gain_w = w_.starts[c.b].gain_v = w_.starts[c.b].gain_w = {};
     return true;
   }
 
-  void rub(const SoftContact& c, const Rows& row, SoftBody& a, SoftBody& b, const std::array<Real, 4>& impulse) {
-    const auto lane = int(c.lane);
+  void rub(const SoftContact& c, const SoftRows& row, SoftBody& a, SoftBody& b, const std::array<Real, 4>& impulse) {
+    const std::uint32_t lane = c.lane;
     const Vec3 n{row.n.x[lane], row.n.y[lane], row.n.z[lane]}, t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
     const Vec3 t2 = cross(n, t1);
     const Vec3 ra{row.ra.x[lane], row.ra.y[lane], row.ra.z[lane]}, rb{row.rb.x[lane], row.rb.y[lane], row.rb.z[lane]};
@@ -500,7 +497,7 @@ class Batch {
     Vec3 slide;
     for (int round = 0; round < 8; ++round) {
       for (std::size_t k = 0; k < c.count; ++k) {
-        const Rows::Point& p = row.points[k];
+        const SoftRows::Point& p = row.points[k];
         const Real x = p.x[lane], y = p.y[lane];
         Real next_1 = f1[k] - p.tangent_mass[lane] * (g.x - y * g.z);
         Real next_2 = f2[k] - p.tangent_mass[lane] * (g.y + x * g.z);
@@ -518,7 +515,7 @@ class Batch {
     push(row, lane, a, b, {}, slide);
   }
 
-  static void push(const Rows& row, int lane, SoftBody& a, SoftBody& b, const Vec3& press, const Vec3& slide) {
+  static void push(const SoftRows& row, std::uint32_t lane, SoftBody& a, SoftBody& b, const Vec3& press, const Vec3& slide) {
     const Vec3 n{row.n.x[lane], row.n.y[lane], row.n.z[lane]}, t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
     const Vec3 t2 = cross(n, t1);
     const Vec3 ra{row.ra.x[lane], row.ra.y[lane], row.ra.z[lane]}, rb{row.rb.x[lane], row.rb.y[lane], row.rb.z[lane]};
@@ -531,8 +528,8 @@ class Batch {
   void leave_bouncing_alone() {
     for (const std::uint32_t k : w_.bouncing) {
       SoftContact& c = w_.contacts[k];
-      Rows& row = w_.rows[c.group];
-      const auto lane = int(c.lane);
+      SoftRows& row = w_.rows[c.group];
+      const std::uint32_t lane = c.lane;
       const Vec3 g = pressing(row, lane, w_.bodies[c.a], w_.bodies[c.b]);
       Real fastest = 0, held = 0;
       for (std::size_t p = 0; p < c.count; ++p) {
@@ -548,8 +545,8 @@ class Batch {
   void store() {
     for (const SoftContact& c : w_.contacts) {
       const ActiveContact& from = view(c);
-      const Rows& row = w_.rows[c.group];
-      const auto lane = int(c.lane);
+      const SoftRows& row = w_.rows[c.group];
+      const std::uint32_t lane = c.lane;
       const Vec3 t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]}, t2 = cross(from.manifold->normal, t1);
       ContactImpulse& out = in_.contact_state.impulse[from.slot];
       ContactReference& reference = in_.contact_state.reference[from.slot];
@@ -558,7 +555,7 @@ class Batch {
       bool everywhere = true;
       const Real nearly = Real(0.999) * row.friction[lane];
       for (std::size_t k = 0; k < c.count; ++k) {
-        const Rows::Point& p = row.points[k];
+        const SoftRows::Point& p = row.points[k];
         const Real normal = p.normal[lane], f1 = p.friction_1[lane], f2 = p.friction_2[lane];
         out.normal[k] = normal;
         out.friction[k] = t1 * f1 + t2 * f2;

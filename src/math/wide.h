@@ -36,7 +36,7 @@ template <class V>
 [[gnu::always_inline]] inline V root(const V& x) {
   V r;
 #ifdef __SSE2__
-  if constexpr (sizeof(Real) == sizeof(float)) {
+  if constexpr (sizeof(Real) == sizeof(float) && lanes_of<V> >= 4) {
     __m128 parts[sizeof(V) / sizeof(__m128)];
     __builtin_memcpy(parts, &x, sizeof x);
     for (__m128& p : parts) p = _mm_sqrt_ps(p);
@@ -70,34 +70,53 @@ template <int W>
 struct Fours {
   Wide<W> x, y, z, w;
 };
+
+template <class Place>
+[[gnu::always_inline]] inline Wide<4> four_at(Place place, int lane) {
+  Wide<4> four;
+  __builtin_memcpy(&four, place(lane), sizeof four);
+  return four;
+}
+// Those of `lane` and of every fourth lane after it, so that all fours are transposed at once.
+template <int W, class Place>
+[[gnu::always_inline]] inline Wide<W> every_fourth(Place place, int lane) {
+  const Wide<4> f = four_at(place, lane);
+  if constexpr (W == 4) return f;
+  else if constexpr (W == 8) return join(f, four_at(place, lane + 4));
+  else return join(join(f, four_at(place, lane + 4)), join(four_at(place, lane + 8), four_at(place, lane + 12)));
+}
+
+// `place(lane)`: where they lie.
 template <int W, class Place>
 [[gnu::always_inline]] inline Fours<W> load(Place place) {
-  static_assert(W == 4 || W == 8 || W == 16);
-  const auto four = [&](int lane) { return *static_cast<const Wide<4>*>(place(lane)); };
-  // Places 4 apart beside each other, so that all fours are transposed at once.
-  const auto row = [&](int lane) {
-    if constexpr (W == 4) return four(lane);
-    else if constexpr (W == 8) return join(four(lane), four(lane + 4));
-    else return join(join(four(lane), four(lane + 4)), join(four(lane + 8), four(lane + 12)));
-  };
-  const Wide<W> r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
-  const Wide<W> low01 = pick<0, 1, 0, 1>(r0, r1), low23 = pick<0, 1, 0, 1>(r2, r3);
-  const Wide<W> high01 = pick<2, 3, 2, 3>(r0, r1), high23 = pick<2, 3, 2, 3>(r2, r3);
-  return {pick<0, 2, 0, 2>(low01, low23), pick<1, 3, 1, 3>(low01, low23), pick<0, 2, 0, 2>(high01, high23),
-          pick<1, 3, 1, 3>(high01, high23)};
+  if constexpr (W == 1) {
+    const Wide<4> f = four_at(place, 0);
+    return {Wide<1>{f[0]}, Wide<1>{f[1]}, Wide<1>{f[2]}, Wide<1>{f[3]}};
+  } else {
+    const Wide<W> r0 = every_fourth<W>(place, 0), r1 = every_fourth<W>(place, 1);
+    const Wide<W> r2 = every_fourth<W>(place, 2), r3 = every_fourth<W>(place, 3);
+    const Wide<W> xy01 = pick<0, 1, 0, 1>(r0, r1), xy23 = pick<0, 1, 0, 1>(r2, r3);
+    const Wide<W> zw01 = pick<2, 3, 2, 3>(r0, r1), zw23 = pick<2, 3, 2, 3>(r2, r3);
+    return {pick<0, 2, 0, 2>(xy01, xy23), pick<1, 3, 1, 3>(xy01, xy23), pick<0, 2, 0, 2>(zw01, zw23),
+            pick<1, 3, 1, 3>(zw01, zw23)};
+  }
 }
 
 // The way back: `put(lane, four)` for each lane.
 template <int W, class Put>
 [[gnu::always_inline]] inline void store(const Fours<W>& f, Put put) {
-  const Wide<W> xy02 = pick<0, 1, 0, 1>(f.x, f.y), xy13 = pick<2, 3, 2, 3>(f.x, f.y);
-  const Wide<W> zw02 = pick<0, 1, 0, 1>(f.z, f.w), zw13 = pick<2, 3, 2, 3>(f.z, f.w);
-  const Wide<W> rows[] = {pick<0, 2, 0, 2>(xy02, zw02), pick<1, 3, 1, 3>(xy02, zw02), pick<0, 2, 0, 2>(xy13, zw13),
-                          pick<1, 3, 1, 3>(xy13, zw13)};
-  for (int r = 0; r < 4; ++r) {
-    Wide<4> fours[W / 4];
-    __builtin_memcpy(fours, &rows[r], sizeof rows[r]);
-    for (int q = 0; q < W / 4; ++q) put(4 * q + r, fours[q]);
+  if constexpr (W == 1) {
+    put(0, Wide<4>{f.x[0], f.y[0], f.z[0], f.w[0]});
+  } else {
+    const Wide<W> xy02 = pick<0, 2, 0, 2>(f.x, f.y), xy13 = pick<1, 3, 1, 3>(f.x, f.y);
+    const Wide<W> zw02 = pick<0, 2, 0, 2>(f.z, f.w), zw13 = pick<1, 3, 1, 3>(f.z, f.w);
+    const Wide<W> rows[] = {pick<0, 2, 0, 2>(xy02, zw02), pick<0, 2, 0, 2>(xy13, zw13), pick<1, 3, 1, 3>(xy02, zw02),
+                            pick<1, 3, 1, 3>(xy13, zw13)};
+    for (int r = 0; r < 4; ++r) {
+      Wide<4> fours[W / 4];
+      __builtin_memcpy(fours, &rows[r], sizeof rows[r]);
+      for (int q = 0; q < W / 4; ++q) put(4 * q + r, fours[q]);
+    }
   }
 }
 

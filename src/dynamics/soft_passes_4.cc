@@ -1,0 +1,7 @@
+#include "dynamics/soft_passes.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+extern const SoftPassTable soft_passes_4 = SoftPasses<4>::table();
+
+}
