@@ -66,6 +66,12 @@ void evaluate(const Forces& forces, const Bodies& bodies, std::span<const std::u
   }
 }
 
+bool vary(const Forces& forces) {
+  bool any = act_from_afar(forces);
+  for_each<Thruster>(forces, [&](const Thruster&) { any = true; });
+  return any;
+}
+
 bool act_from_afar(const Forces& forces) {
   bool any = false;
   for_each<NBody>(forces, [&](const NBody&) { any = true; });

@@ -26,6 +26,8 @@ Vec3 gravity(const Forces&);
 // own pushes.
 void evaluate(const Forces&, const Bodies&, std::span<const std::uint32_t> which, std::vector<Wrench>& out);
 
+// Whether they change with where bodies are.
+bool vary(const Forces&);
 // Whether bodies feel each other from afar, so that none may move before all have been asked.
 bool act_from_afar(const Forces&);
 

@@ -8,13 +8,9 @@ Vec3 spin_at(const Bodies& b, std::uint32_t i, const Quat& q, const Vec3& angula
   return rotate(q, scale(rotate_back(q, angular_momentum), b.inverse_inertia[i]));
 }
 
-// The motion of one body over a step, taken only if all of it is finite.
-struct State {
-  Pos position;
-  Quat orientation;
-  Vec3 velocity, angular_momentum;
-};
-bool take(Bodies& b, std::uint32_t i, const State& m) {
+}
+
+bool place(Bodies& b, std::uint32_t i, const BodyMotion& m) {
   const Vec3 spin = spin_at(b, i, m.orientation, m.angular_momentum);
   if (!is_finite(m.position) || !is_finite(m.orientation) || !is_finite(m.velocity) ||
       !is_finite(m.angular_momentum) || !is_finite(spin)) {
@@ -26,8 +22,6 @@ bool take(Bodies& b, std::uint32_t i, const State& m) {
   b.angular_momentum[i] = m.angular_momentum;
   b.spin[i] = spin;
   return true;
-}
-
 }
 
 Vec3 spin_of(const Bodies& b, std::uint32_t i) { return spin_at(b, i, b.orientation[i], b.angular_momentum[i]); }
@@ -42,28 +36,20 @@ SolverBody solver_body(const Bodies& b, std::uint32_t i) {
 
 void accelerate(const Bodies& b, std::uint32_t i, const Wrench& load, const DragRates& drag, Real h, SolverBody& body) {
   Vec3 v = vector(body.real.v), w = vector(body.real.w);
-  accelerate(v, w, b.inverse_mass[i], matrix(body.inverse_inertia), load, drag, h);
-  body.real = {lanes(v), lanes(w)};
-}
-
-void accelerate(Vec3& v, Vec3& w, Real inverse_mass, const Mat3& inverse_inertia, const Wrench& load, const DragRates& drag,
-                Real h) {
-  v += load.force * (inverse_mass * h);
-  if (load.torque != Vec3{}) w += (inverse_inertia * load.torque) * h;
+  v += load.force * (b.inverse_mass[i] * h);
+  if (load.torque != Vec3{}) w += vector(body.inverse_inertia * lanes(load.torque)) * h;
   const Real rate = drag.linear + drag.quadratic * length(v);
   const Real angular_rate = drag.angular + drag.angular_quadratic * length(w);
   // v/(1 + h rate) as a difference: a rounded factor near 1 would act with the same error in every step (verify V02).
   if (rate > 0) v -= v * (h * rate / (1 + h * rate));
   if (angular_rate > 0) w -= w * (h * angular_rate / (1 + h * angular_rate));
+  body.real = {lanes(v), lanes(w)};
 }
 
 namespace {
 
-Vec3 momentum(const Bodies& b, std::uint32_t i, const Vec3& w, const Vec3& spin_before) {
-  return b.angular_momentum[i] + b.inertia_world(i) * (w - spin_before);
-}
 Vec3 momentum(const Bodies& b, std::uint32_t i, const SolverBody& body) {
-  return momentum(b, i, vector(body.real.w), body.spin_before);
+  return b.angular_momentum[i] + b.inertia_world(i) * (vector(body.real.w) - body.spin_before);
 }
 
 }
@@ -81,17 +67,7 @@ bool drift(Bodies& b, std::uint32_t i, const SolverBody& body, Real h) {
   const Vec3 angular_momentum = momentum(b, i, body);
   Quat q = rotate_freely(b.orientation[i], angular_momentum, b.inertia[i], b.inverse_inertia[i], h).orientation;
   if (push_w != Vec3{}) q = normalize(rotation(push_w * h) * q);
-  return take(b, i, {b.position[i] + (v + push_v) * h, q, v, angular_momentum});
-}
-
-bool drift(Bodies& b, std::uint32_t i, const Vec3& v, const Vec3& w, const Vec3& spin_before, Real h) {
-  const Vec3 angular_momentum = momentum(b, i, w, spin_before);
-  const Rotation r = rotate_freely(b.orientation[i], angular_momentum, b.inertia[i], b.inverse_inertia[i], h);
-  return take(b, i, {b.position[i] + v * h, r.orientation, v, angular_momentum});
-}
-
-bool take_velocity(Bodies& b, std::uint32_t i, const Vec3& v, const Vec3& w, const Vec3& spin_before) {
-  return take(b, i, {b.position[i], b.orientation[i], v, momentum(b, i, w, spin_before)});
+  return place(b, i, {b.position[i] + (v + push_v) * h, q, v, angular_momentum});
 }
 
 void carry(Bodies& b, std::uint32_t i, Real h) {
@@ -158,9 +134,9 @@ std::vector<std::uint32_t> runge_kutta_4(Bodies& b, const Forces& forces, std::s
     const std::uint32_t i = which[k];
     const Rate& r = sum[k];
     b.position[i] = start[k], b.orientation[i] = start_turn[k];
-    const State end{b.position[i] + r.v * h, normalize(moved(b.orientation[i], r.q, h)), b.velocity[i] + r.a * h,
+    const BodyMotion end{b.position[i] + r.v * h, normalize(moved(b.orientation[i], r.q, h)), b.velocity[i] + r.a * h,
                     b.angular_momentum[i] + r.torque * h};
-    if (!take(b, i, end)) broken.push_back(i);
+    if (!place(b, i, end)) broken.push_back(i);
   }
   return broken;
 }

@@ -17,9 +17,14 @@ SolverBody solver_body(const Bodies&, std::uint32_t i);
 // thesis (3.2): v += h F/m, then resistance, thesis (3.6), implicitly, v ← v / (1 + h (A + B|v|)/m): the explicit form overshoots where
 // h A/m > 1, which large time factors reach. `body` holds the velocities of body i.
 void accelerate(const Bodies&, std::uint32_t i, const Wrench& load, const DragRates& drag, Real h, SolverBody& body);
-// The same for a body that is known by its masses; inertia in world axes.
-void accelerate(Vec3& v, Vec3& w, Real inverse_mass, const Mat3& inverse_inertia, const Wrench& load, const DragRates& drag,
-                Real h);
+
+// The motion of one body. place() takes it over, if all of it is finite; else returns false, and the body stays as it was.
+struct BodyMotion {
+  Pos position;
+  Quat orientation;
+  Vec3 velocity, angular_momentum;
+};
+bool place(Bodies&, std::uint32_t i, const BodyMotion&);
 
 // Where body i would be, and how it would turn, if it drifted over h with the real velocities in `body`.
 struct Ahead {
@@ -31,10 +36,6 @@ Ahead ahead(const Bodies&, std::uint32_t i, const SolverBody& body, Real h);
 // thesis (3.3): takes over the real velocities in `body` and drifts over h; then turns by the pseudo ones. Returns false, and leaves
 // the body as it was, where its state would not be finite.
 bool drift(Bodies&, std::uint32_t i, const SolverBody& body, Real h);
-// The same with velocities alone: `spin_before` is ω before all impulses that w holds.
-bool drift(Bodies&, std::uint32_t i, const Vec3& v, const Vec3& w, const Vec3& spin_before, Real h);
-// Takes over velocities without moving. Returns false, and leaves the body as it was, where they are not finite.
-bool take_velocity(Bodies&, std::uint32_t i, const Vec3& v, const Vec3& w, const Vec3& spin_before);
 // The same for a kinematic body.
 void carry(Bodies&, std::uint32_t i, Real h);
 

@@ -3,8 +3,7 @@
 // keep one copy, and it might be the one that not every processor can run.
 #pragma once
 
-#include "dynamics/soft_rows.h"
-#include "math/wide.h"
+#include "dynamics/soft_motion.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -12,7 +11,17 @@ template <int W>
 class SoftPasses {
  public:
   static constexpr SoftPassTable table() {
+    using Motions = SoftMotions<W>;
     return {W,
+            [](SoftMotion* motions, std::size_t n, SoftBody* bodies, const PassSettings& set) {
+              each(motions, n, [&](SoftMotion& m, int first) { Motions(first, bodies, set).begin(m); });
+            },
+            [](SoftMotion* motions, std::size_t n, SoftBody* bodies, const PassSettings& set) {
+              each(motions, n, [&](SoftMotion& m, int first) { Motions(first, bodies, set).drift(m); });
+            },
+            [](SoftMotion* motions, std::size_t n, SoftBody* bodies, const PassSettings& set) {
+              each(motions, n, [&](SoftMotion& m, int first) { Motions(first, bodies, set).settle(m); });
+            },
             [](const SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
               each(rows, n, [&](const SoftRows& r, int first) { SoftPasses(r, first, bodies, set).warm(r); });
             },

@@ -67,6 +67,21 @@ struct SoftRows {
   std::uint32_t used = 0;                          // lanes, the first ones
 };
 
+// Bodies side by side in the order of their numbers: all that moves them but their velocities, which lie in SoftBody.
+struct SoftMotion {
+  using V = SoftLanes;
+  QuatT<V> orientation;               // principal frame → world
+  Vec3T<V> momentum;                  // angular, about the centre of mass, world axes
+  Vec3T<V> spin;                      // ω that it stands for, until impulses change ω
+  Vec3T<V> inertia, inverse_inertia;  // principal moments
+  Vec3T<V> acceleration, angular_acceleration;  // by forces but drag
+  V drag, quadratic_drag, angular_drag, quadratic_angular_drag;  // rates, see DragRates
+  V falls;                            // 1; 0: has just bounced, and forces do not act in this sub-step
+  Vec3T<V> v_before, w_before;        // after forces, before contacts
+  Vec3T<V> gain_v, gain_w;            // what contacts made of them in the last sub-step
+  std::uint32_t first = 0, used = 0;  // numbers of bodies
+};
+
 struct PassSettings {
   Real h;           // s
   Real push_speed;  // overlap is not undone faster, m/s
@@ -76,6 +91,12 @@ struct PassSettings {
 // The passes, for registers of some width.
 struct SoftPassTable {
   int lanes;
+  // Forces act, and then what contacts did in the last sub-step, since their impulses begin with those.
+  void (*begin)(SoftMotion*, std::size_t, SoftBody*, const PassSettings&);
+  // Positions follow velocities (dynamics/rotation.h, side by side).
+  void (*drift)(SoftMotion*, std::size_t, SoftBody*, const PassSettings&);
+  // Takes over the velocities, and notes what contacts did.
+  void (*settle)(SoftMotion*, std::size_t, SoftBody*, const PassSettings&);
   // Applies what is accumulated.
   void (*warm)(const SoftRows*, std::size_t, SoftBody*, const PassSettings&);
   // Normal impulses against overlap: soft where points are within reach, exact where they are farther apart.
@@ -83,6 +104,9 @@ struct SoftPassTable {
   // The same without the push that undoes overlap; then friction.
   void (*relax)(SoftRows*, std::size_t, SoftBody*, const PassSettings&);
 };
+// Turns one body so fast that a sub-step is too long for its turn; for the drift.
+void turn_in_parts(SoftMotion&, std::uint32_t lane, Real h);
+
 // The widest that this processor has, of at most `lanes`; 0: any. All have the same bits.
 const SoftPassTable& soft_passes(int lanes);
 

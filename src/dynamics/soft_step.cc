@@ -40,20 +40,12 @@ struct SoftContact {
   bool pressed = false;               // was pressed in the last step
 };
 
-// What of a body is asked once a sub-step, beside the SoftBody that the passes read.
-struct BodyStart {
-  Vec3 spin;          // ω before all impulses, as spin_of() gives it
-  Vec3 v, w;          // after forces, before the warm start
-  Vec3 gain_v, gain_w;  // what contacts made of them in the last sub-step
-  Vec3 acceleration;  // by forces, m/s²
-  bool bounced;       // no gravity in this sub-step
-};
-
 // What solving some islands at once needs; used again for the next.
 struct Workspace {
   std::vector<std::uint32_t> slots;  // of bodies by number; 0: what stays where it is
   std::vector<SoftBody> bodies;
-  std::vector<BodyStart> starts;
+  std::vector<SoftMotion> motions;   // of dynamic bodies, in the order of their numbers
+  std::vector<Pos> places;           // where bodies were when the step began
   std::vector<SoftContact> contacts;
   Colours colours;
   std::vector<SoftRows> rows;
@@ -78,17 +70,21 @@ class Batch {
     gather_bodies(islands);
     gather_contacts(islands);
     const SoftPassTable& passes = soft_passes(set_.lanes);
-    const auto pass = [&](auto visit) { visit(w_.rows.data(), w_.rows.size(), w_.bodies.data(), passes_settings_); };
+    const auto bodies = [&](auto visit) { visit(w_.motions.data(), w_.motions.size(), w_.bodies.data(), passes_settings_); };
+    const auto contacts = [&](auto visit) { visit(w_.rows.data(), w_.rows.size(), w_.bodies.data(), passes_settings_); };
     for (int k = 0; k < in_.substeps; ++k) {
+      if (k > 0 && vary(in_.forces)) publish(), load_forces();
       bounce();
-      accelerate_all();
+      bodies(passes.begin);
       leave_bouncing_alone();
-      if (k == 0) pass(passes.warm); else repeat_gain();
-      pass(passes.solve);
-      drift_all();
-      pass(passes.relax);
-      note_gain();
+      if (k == 0) contacts(passes.warm);
+      contacts(passes.solve);
+      bodies(passes.drift);
+      carry_kinematic();
+      contacts(passes.relax);
+      bodies(passes.settle);
     }
+    publish();
     store();
   }
 
@@ -97,6 +93,11 @@ class Batch {
 
   bool moves(std::uint32_t n) const { return w_.bodies[n].inverse_mass > 0; }
 
+  std::uint32_t first_mover() const { return std::uint32_t(in_.kinematic.size()) + 1; }
+  std::uint32_t end() const { return std::uint32_t(w_.slots.size()); }
+  SoftMotion& motion(std::uint32_t n) { return w_.motions[(n - first_mover()) / SoftLanes::count]; }
+  std::uint32_t lane_of(std::uint32_t n) const { return (n - first_mover()) % SoftLanes::count; }
+
   void gather_bodies(std::span<const std::uint32_t> islands) {
     w_.slots.assign(1, no_body);
     w_.slots.insert(w_.slots.end(), in_.kinematic.begin(), in_.kinematic.end());
@@ -104,104 +105,98 @@ class Batch {
       const auto bodies = in_.islands[k].bodies.of(in_.awake);
       w_.slots.insert(w_.slots.end(), bodies.begin(), bodies.end());
     }
-    const std::size_t n = w_.slots.size();
-    w_.bodies.assign(n, {}), w_.starts.assign(n, {});
-    w_.movers.clear();
-    for (std::uint32_t i = 1; i < n; ++i) {
-      const std::uint32_t slot = w_.slots[i];
-      w_.bodies[i].v = in_.bodies.velocity[slot];
-      w_.bodies[i].w = in_.bodies.spin[slot];
-      if (i > in_.kinematic.size()) w_.movers.push_back(i);
+    w_.bodies.assign(end() + SoftLanes::count, {});  // so that the last lanes have a place
+    w_.motions.clear();
+    for (std::uint32_t n = 1; n < first_mover(); ++n) {
+      w_.bodies[n].v = in_.bodies.velocity[w_.slots[n]];
+      w_.bodies[n].w = in_.bodies.spin[w_.slots[n]];
     }
-    for (const std::uint32_t i : w_.movers) {
-      const std::uint32_t slot = w_.slots[i];
-      if (!in_.bodies.dynamic(slot)) continue;
-      w_.bodies[i].inverse_mass = in_.bodies.inverse_mass[slot];
-      renew(i);
-    }
+    w_.places.resize(end());
+    for (std::uint32_t n = first_mover(); n < end(); ++n) gather(n);
+    load_forces();
   }
 
-  // Spin and inertia follow the orientation and the angular momentum.
-  void renew(std::uint32_t i) {
-    SoftBody& body = w_.bodies[i];
-    const Mat3 inertia = in_.bodies.inverse_inertia_world(w_.slots[i]);
-    body.xx = inertia.c0.x, body.xy = inertia.c1.x, body.xz = inertia.c2.x;
-    body.yy = inertia.c1.y, body.yz = inertia.c2.y, body.zz = inertia.c2.z;
-    w_.starts[i].spin = body.w = spin_of(in_.bodies, w_.slots[i]);
+  void gather(std::uint32_t n) {
+    const Bodies& b = in_.bodies;
+    const std::uint32_t slot = w_.slots[n], lane = lane_of(n);
+    if (lane == 0) add_motion(n);
+    SoftMotion& m = motion(n);
+    ++m.used;
+    if (!b.dynamic(slot)) return;
+    SoftBody& body = w_.bodies[n];
+    const Vec3 spin = spin_of(b, slot);
+    const Quat& q = b.orientation[slot];
+    w_.places[n] = b.position[slot];
+    body.inverse_mass = b.inverse_mass[slot];
+    body.v = b.velocity[slot], body.w = spin;
+    set_inertia(body, b.inverse_inertia_world(slot));
+    m.orientation.x[lane] = q.x, m.orientation.y[lane] = q.y, m.orientation.z[lane] = q.z, m.orientation.w[lane] = q.w;
+    set(m.momentum, lane, b.angular_momentum[slot]), set(m.spin, lane, spin);
+    set(m.inertia, lane, b.inertia[slot]), set(m.inverse_inertia, lane, b.inverse_inertia[slot]);
   }
 
-  void accelerate_all() {
-    std::vector<std::uint32_t> slots;
-    for (const std::uint32_t i : w_.movers) slots.push_back(w_.slots[i]);
-    evaluate(in_.forces, in_.bodies, slots, w_.loads);
-    for (std::size_t k = 0; k < slots.size(); ++k) {
-      const std::uint32_t i = w_.movers[k];
-      SoftBody& body = w_.bodies[i];
-      BodyStart& start = w_.starts[i];
-      if (!moves(i)) continue;
-      start.acceleration = w_.loads[k].force * body.inverse_mass;
-      if (!start.bounced) {
-        accelerate(body.v, body.w, body.inverse_mass, inverse_inertia(body), w_.loads[k],
-                   drag_on(in_.forces, in_.bodies, slots[k]), h_);
-        if (!is_finite(body.v) || !is_finite(body.w)) {  // before it can infect what it touches
-          give_up(i);
-          continue;
-        }
-      }
-      start.bounced = false;
-      start.v = body.v, start.w = body.w;
+  // Lanes without a body turn, too, and must stay finite.
+  void add_motion(std::uint32_t first) {
+    SoftMotion& m = w_.motions.emplace_back();
+    m.first = first;
+    for (std::uint32_t lane = 0; lane < SoftLanes::count; ++lane) {
+      m.orientation.w[lane] = 1, m.falls[lane] = 1;
+      set(m.inertia, lane, {1, 1, 1});
     }
   }
 
+  static void set_inertia(SoftBody& body, const Mat3& m) {
+    body.xx = m.c0.x, body.xy = m.c1.x, body.xz = m.c2.x, body.yy = m.c1.y, body.yz = m.c2.y, body.zz = m.c2.z;
+  }
   static Mat3 inverse_inertia(const SoftBody& b) {
     return {{b.xx, b.xy, b.xz}, {b.xy, b.yy, b.yz}, {b.xz, b.yz, b.zz}};
   }
 
-  void give_up(std::uint32_t i) {
-    const std::uint32_t slot = w_.slots[i];
-    w_.bodies[i] = {};
+  void load_forces() {
+    const auto slots = std::span(w_.slots).subspan(first_mover());
+    evaluate(in_.forces, in_.bodies, slots, w_.loads);
+    for (std::uint32_t n = first_mover(); n < end(); ++n) {
+      if (!moves(n)) continue;
+      SoftMotion& m = motion(n);
+      SoftBody& body = w_.bodies[n];
+      const std::uint32_t lane = lane_of(n);
+      const Wrench& load = w_.loads[n - first_mover()];
+      const Vec3 a = load.force * body.inverse_mass, turning = inverse_inertia(body) * load.torque;
+      const DragRates drag = drag_on(in_.forces, in_.bodies, w_.slots[n]);
+      set(m.acceleration, lane, a), set(m.angular_acceleration, lane, turning);
+      m.drag[lane] = drag.linear, m.quadratic_drag[lane] = drag.quadratic;
+      m.angular_drag[lane] = drag.angular, m.quadratic_angular_drag[lane] = drag.angular_quadratic;
+      const Real step = h_ * Real(in_.substeps);
+      if (!is_finite(body.v + a * step) || !is_finite(body.w + turning * step)) {
+        give_up(n);  // before it can infect what it touches
+        set(m.acceleration, lane, {}), set(m.angular_acceleration, lane, {}), set(m.momentum, lane, {}), set(m.spin, lane, {});
+      }
+    }
+  }
+
+  void give_up(std::uint32_t n) {
+    const std::uint32_t slot = w_.slots[n];
+    w_.bodies[n] = {};
     in_.bodies.quarantined[slot] = 1;
     w_.out.broken.push_back(slot);
   }
 
-  void drift_all() {
-    for (std::uint32_t i = 1; i <= in_.kinematic.size(); ++i) {
-      SoftBody& body = w_.bodies[i];
+  void carry_kinematic() {
+    for (std::uint32_t n = 1; n < first_mover(); ++n) {
+      SoftBody& body = w_.bodies[n];
       body.shift += body.v * h_, body.turn += body.w * h_;
-    }
-    for (const std::uint32_t i : w_.movers) {
-      if (!moves(i)) continue;
-      SoftBody& body = w_.bodies[i];
-      BodyStart& start = w_.starts[i];
-      if (!drift(in_.bodies, w_.slots[i], body.v, body.w, start.spin, h_)) {
-        give_up(i);
-        continue;
-      }
-      body.shift += body.v * h_, body.turn += body.w * h_;
-      const Vec3 w = body.w;
-      renew(i);
-      start.w += body.w - w;  // what turning freely made of ω is no gain
     }
   }
 
-  // The contact impulses of the next sub-step begin with those of this one, so what they do is known.
-  void note_gain() {
-    for (const std::uint32_t i : w_.movers) {
-      SoftBody& body = w_.bodies[i];
-      BodyStart& start = w_.starts[i];
-      if (!moves(i)) continue;
-      start.gain_v = body.v - start.v, start.gain_w = body.w - start.w;
-      if (take_velocity(in_.bodies, w_.slots[i], body.v, body.w, start.spin)) {
-        start.spin = body.w = in_.bodies.spin[w_.slots[i]];
-      } else {
-        give_up(i);
-      }
-    }
-  }
-  void repeat_gain() {
-    for (const std::uint32_t i : w_.movers) {
-      SoftBody& body = w_.bodies[i];
-      if (moves(i)) body.v += w_.starts[i].gain_v, body.w += w_.starts[i].gain_w;
+  // Motions → the bodies' state.
+  void publish() {
+    for (std::uint32_t n = first_mover(); n < end(); ++n) {
+      if (!moves(n)) continue;
+      const SoftMotion& m = motion(n);
+      const std::uint32_t lane = lane_of(n), slot = w_.slots[n];
+      const Quat q{m.orientation.x[lane], m.orientation.y[lane], m.orientation.z[lane], m.orientation.w[lane]};
+      const BodyMotion at{w_.places[n] + w_.bodies[n].shift, q, w_.bodies[n].v, get(m.momentum, lane)};
+      if (!place(in_.bodies, slot, at)) give_up(n);
     }
   }
 
@@ -296,6 +291,7 @@ class Batch {
   }
 
   static void set(Vec3T<SoftLanes>& to, std::uint32_t lane, const Vec3& v) { to.x[lane] = v.x, to.y[lane] = v.y, to.z[lane] = v.z; }
+  static Vec3 get(const Vec3T<SoftLanes>& from, std::uint32_t lane) { return {from.x[lane], from.y[lane], from.z[lane]}; }
 
   // How three velocities answer three impulses: matrices of SoftRows.
   struct Response {
@@ -348,7 +344,9 @@ class Batch {
     const Vec3 up = gravity_ * (-1 / g);
     w_.weights.assign(w_.bodies.size(), 0), w_.heights.assign(w_.bodies.size(), 0);
     w_.radii.assign(w_.bodies.size(), 0);
-    for (const std::uint32_t i : w_.movers) {
+    w_.movers.clear();
+    for (std::uint32_t i = first_mover(); i < end(); ++i) {
+      w_.movers.push_back(i);
       const std::uint32_t slot = w_.slots[i];
       const Pos& p = in_.bodies.position[slot];
       w_.radii[i] = in_.bodies.radius[slot];
@@ -370,7 +368,7 @@ class Batch {
     ContactReference& reference = in_.contact_state.reference[from.slot];
     SoftRows& row = w_.rows[c.group];
     const std::uint32_t lane = c.lane;
-    const Vec3 t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
+    const Vec3 t1 = get(row.t1, lane);
     const Vec3 t2 = cross(manifold.normal, t1);
     std::array<Real, 4> load{};
     if (c.support != none) load = w_.supports[c.support].load;
@@ -409,8 +407,8 @@ class Batch {
   // --- restitution: true impacts, before this sub-step's gravity; one contact after the other, its points at once ---
 
   Vec3 pressing(const SoftRows& row, std::uint32_t lane, const SoftBody& a, const SoftBody& b) const {
-    const Vec3 n{row.n.x[lane], row.n.y[lane], row.n.z[lane]}, t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
-    const Vec3 ra{row.ra.x[lane], row.ra.y[lane], row.ra.z[lane]}, rb{row.rb.x[lane], row.rb.y[lane], row.rb.z[lane]};
+    const Vec3 n = get(row.n, lane), t1 = get(row.t1, lane);
+    const Vec3 ra = get(row.ra, lane), rb = get(row.rb, lane);
     const Vec3 u = (a.v - b.v) + (cross(a.w, ra) - cross(b.w, rb)), w = a.w - b.w;
     return {dot(u, n), -dot(w, cross(n, t1)), dot(w, t1)};
   }
@@ -441,8 +439,8 @@ class Batch {
     SoftBody &a = w_.bodies[c.a], &b = w_.bodies[c.b];
     const Real e = view(c).material.restitution;
     Vec3 g = pressing(row, lane, a, b);
-    const Vec3 n{row.n.x[lane], row.n.y[lane], row.n.z[lane]};
-    const Real pull = dot(n, w_.starts[c.a].acceleration - w_.starts[c.b].acceleration);
+    const Vec3 n = get(row.n, lane);
+    const Real pull = dot(n, acceleration(c.a) - acceleration(c.b));
     std::array<Real, 4> target{}, impulse{};
     bool acts = false;
     std::array<bool, 4> touches{};
@@ -474,20 +472,25 @@ class Batch {
     }
     push(row, lane, a, b, press, {});
     rub(c, row, a, b, impulse);
-    w_.starts[c.a].bounced = w_.starts[c.b].bounced = true;
     for (std::size_t k = 0; k < c.count; ++k) {
       SoftRows::Point& p = row.points[k];
       p.normal[lane] = p.friction_1[lane] = p.friction_2[lane] = 0;
     }
-    w_.starts[c.a].gain_v = w_.starts[c.a].gain_w = w_.starts[c.b].gain_v = w_.starts[c.b].gain_w = {};
+    for (const std::uint32_t i : {c.a, c.b}) {
+      if (!moves(i)) continue;
+      motion(i).falls[lane_of(i)] = 0;
+      set(motion(i).gain_v, lane_of(i), {}), set(motion(i).gain_w, lane_of(i), {});
+    }
     return true;
   }
 
+  Vec3 acceleration(std::uint32_t n) { return moves(n) ? get(motion(n).acceleration, lane_of(n)) : Vec3{}; }
+
   void rub(const SoftContact& c, const SoftRows& row, SoftBody& a, SoftBody& b, const std::array<Real, 4>& impulse) {
     const std::uint32_t lane = c.lane;
-    const Vec3 n{row.n.x[lane], row.n.y[lane], row.n.z[lane]}, t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
+    const Vec3 n = get(row.n, lane), t1 = get(row.t1, lane);
     const Vec3 t2 = cross(n, t1);
-    const Vec3 ra{row.ra.x[lane], row.ra.y[lane], row.ra.z[lane]}, rb{row.rb.x[lane], row.rb.y[lane], row.rb.z[lane]};
+    const Vec3 ra = get(row.ra, lane), rb = get(row.rb, lane);
     const Vec3 u = (a.v - b.v) + (cross(a.w, ra) - cross(b.w, rb));
     Vec3 g{dot(u, t1) + row.glide_1[lane], dot(u, t2) + row.glide_2[lane], dot(a.w - b.w, n)};
     const Symmetric3<Real> response{row.slide.xx[lane], row.slide.xy[lane], row.slide.xz[lane],
@@ -516,9 +519,9 @@ class Batch {
   }
 
   static void push(const SoftRows& row, std::uint32_t lane, SoftBody& a, SoftBody& b, const Vec3& press, const Vec3& slide) {
-    const Vec3 n{row.n.x[lane], row.n.y[lane], row.n.z[lane]}, t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]};
+    const Vec3 n = get(row.n, lane), t1 = get(row.t1, lane);
     const Vec3 t2 = cross(n, t1);
-    const Vec3 ra{row.ra.x[lane], row.ra.y[lane], row.ra.z[lane]}, rb{row.rb.x[lane], row.rb.y[lane], row.rb.z[lane]};
+    const Vec3 ra = get(row.ra, lane), rb = get(row.rb, lane);
     const Vec3 force = n * press.x + t1 * slide.x + t2 * slide.y, moment = t1 * press.z - t2 * press.y + n * slide.z;
     if (a.inverse_mass > 0) a.v += force * a.inverse_mass, a.w += inverse_inertia(a) * (moment + cross(ra, force));
     if (b.inverse_mass > 0) b.v -= force * b.inverse_mass, b.w -= inverse_inertia(b) * (moment + cross(rb, force));
@@ -547,7 +550,7 @@ class Batch {
       const ActiveContact& from = view(c);
       const SoftRows& row = w_.rows[c.group];
       const std::uint32_t lane = c.lane;
-      const Vec3 t1{row.t1.x[lane], row.t1.y[lane], row.t1.z[lane]}, t2 = cross(from.manifold->normal, t1);
+      const Vec3 t1 = get(row.t1, lane), t2 = cross(from.manifold->normal, t1);
       ContactImpulse& out = in_.contact_state.impulse[from.slot];
       ContactReference& reference = in_.contact_state.reference[from.slot];
       out = {};
@@ -568,7 +571,7 @@ class Batch {
       in_.contact_state.slipping[from.slot] = slips ? 1 : 0;
       w_.out.points += c.count;
       if (!c.pressed && held > 0 && c.approach > threshold()) {
-        w_.out.hits.push_back({c.in_view, {row.ra.x[lane], row.ra.y[lane], row.ra.z[lane]}, c.approach});
+        w_.out.hits.push_back({c.in_view, get(row.ra, lane), c.approach});
       }
     }
   }
