@@ -62,6 +62,7 @@ class SoftPasses {
       slide += Vec{f1, f2, x * f2 - y * f1};
     }
     push(press, slide);
+    if (r.turning) turn({get(r.spin), get(r.roll_1), get(r.roll_2)});
     save();
   }
   [[gnu::always_inline]] void solve(SoftRows& r) {
@@ -71,6 +72,7 @@ class SoftPasses {
   [[gnu::always_inline]] void relax(SoftRows& r) {
     press_points<false>(r);
     rub_points(r);
+    if (r.turning) resist_turning(r);
     save();
   }
 
@@ -82,10 +84,8 @@ class SoftPasses {
 
   template <bool undo_overlap>
   [[gnu::always_inline]] void press_points(SoftRows& r) {
-    const auto shift_a = load(a_, &SoftBody::shift), shift_b = load(b_, &SoftBody::shift);
-    const auto turn_a = load(a_, &SoftBody::turn), turn_b = load(b_, &SoftBody::turn);
-    const Vec moved = pressing({shift_a.x, shift_a.y, shift_a.z}, {turn_a.x, turn_a.y, turn_a.z},
-                               {shift_b.x, shift_b.y, shift_b.z}, {turn_b.x, turn_b.y, turn_b.z});
+    const Way a = load_way(a_), b = load_way(b_);
+    const Vec moved = pressing(a.shift, a.turn, b.shift, b.turn);
     Vec g = pressing(on_a_.v, on_a_.w, on_b_.v, on_b_.w);
     const Symmetric3<V> response = get(r.press);
     const V per_h = wide::all<V>(1 / set_.h), zero{}, lift = get(r.lift);
@@ -125,24 +125,69 @@ class SoftPasses {
 
   // Friction, point by point, each as far as its own normal impulse lets it hold.
   [[gnu::always_inline]] void rub_points(SoftRows& r) {
+    arms_of_friction(r);
     const Vec u = (on_a_.v - on_b_.v) + (cross(on_a_.w, ra_) - cross(on_b_.w, rb_));
     Vec g{dot(u, t1_) + get(r.glide_1), dot(u, t2_) + get(r.glide_2), dot(on_a_.w - on_b_.w, n_)};
     const Symmetric3<V> response = get(r.slide);
     const V coefficient = get(r.friction), one = wide::all<V>(1);
     Vec sum;
+    V load{}, pull_1{}, pull_2{};
     for (SoftRows::Point& p : r.points) {
       const V x = get(p.x), y = get(p.y), mass = get(p.tangent_mass), f1 = get(p.friction_1), f2 = get(p.friction_2);
       V next_1 = f1 - mass * (g.x - y * g.z), next_2 = f2 - mass * (g.y + x * g.z);
-      const V most = coefficient * get(p.normal), size = next_1 * next_1 + next_2 * next_2;
+      const V normal = get(p.normal), most = coefficient * normal, size = next_1 * next_1 + next_2 * next_2;
       const V cut = size > most * most ? most / wide::root(wide::larger(size, wide::all<V>(tiny))) : one;
       next_1 *= cut, next_2 *= cut;
       put(p.friction_1, next_1), put(p.friction_2, next_2);
+      load += normal, pull_1 += next_1, pull_2 += next_2;
       const V d1 = next_1 - f1, d2 = next_2 - f2;
       const Vec step{d1, d2, x * d2 - y * d1};
       sum += step;
       g += response * step;
     }
     push({}, sum);
+    // What slips as a whole slips on with less.
+    const V edge = coefficient * load * wide::all<V>(Real(0.999));
+    const auto slips = pull_1 * pull_1 + pull_2 * pull_2 > edge * edge;
+    put(r.friction, slips ? get(r.friction_dynamic) : coefficient);
+  }
+
+  // Where the contact was in the middle of the drift: on its owner, whose turn about the normal takes it
+  // along, and from there on the other. Friction that asked for velocities where the contact was would send what is
+  // carried round in circles outwards.
+  [[gnu::always_inline]] void arms_of_friction(const SoftRows& r) {
+    const Way a = load_way(a_), b = load_way(b_);
+    const V half = wide::all<V>(set_.h * Real(-0.5)), two = wide::all<V>(2);
+    const auto of_a = get(r.owned_by_a) > V{};
+    const V angle = of_a ? dot(a.turn + on_a_.w * half, n_) : dot(b.turn + on_b_.w * half, n_);
+    const Vec own{of_a ? ra_.x : rb_.x, of_a ? ra_.y : rb_.y, of_a ? ra_.z : rb_.z};
+    const Vec side = cross(n_, own), across = cross(n_, side);
+    const Vec turned = own + side * angle + across * (angle * angle / two);
+    const Vec apart = get(r.apart) + (a.shift - b.shift) + (on_a_.v - on_b_.v) * half;
+    const Vec before = turned - apart, after = turned + apart;
+    ra_ = {of_a ? turned.x : before.x, of_a ? turned.y : before.y, of_a ? turned.z : before.z};
+    rb_ = {of_a ? after.x : turned.x, of_a ? after.y : turned.y, of_a ? after.z : turned.z};
+  }
+
+  [[gnu::always_inline]] void resist_turning(SoftRows& r) {
+    V load{};
+    for (const SoftRows::Point& p : r.points) load += get(p.normal);
+    const Vec w = on_a_.w - on_b_.w;
+    const V spin = get(r.spin), roll_1 = get(r.roll_1), roll_2 = get(r.roll_2), roll_mass = get(r.roll_mass);
+    const V most = get(r.spinning) * load, roll_most = get(r.rolling) * load;
+    const V next = wide::smaller(wide::larger(spin - get(r.spin_mass) * dot(w, n_), -most), most);
+    V next_1 = roll_1 - roll_mass * dot(w, t1_), next_2 = roll_2 - roll_mass * dot(w, t2_);
+    const V size = next_1 * next_1 + next_2 * next_2;
+    const V cut = size > roll_most * roll_most ? roll_most / wide::root(wide::larger(size, wide::all<V>(tiny))) : wide::all<V>(1);
+    next_1 *= cut, next_2 *= cut;
+    put(r.spin, next), put(r.roll_1, next_1), put(r.roll_2, next_2);
+    turn({next - spin, next_1 - roll_1, next_2 - roll_2});
+  }
+  // Moments about n, t1, t2.
+  [[gnu::always_inline]] void turn(const Vec& m) {
+    const Vec moment = n_ * m.x + t1_ * m.y + t2_ * m.z;
+    on_a_.w += on_a_.inverse_inertia * moment;
+    on_b_.w -= on_b_.inverse_inertia * moment;
   }
 
   [[gnu::always_inline]] void push(const Vec& press, const Vec& slide) {
@@ -170,6 +215,13 @@ class SoftPasses {
   template <class Member>
   [[gnu::always_inline]] wide::Fours<W> load(const std::uint32_t* numbers, Member SoftBody::* member) const {
     return wide::load<W>([&](int lane) { return static_cast<const void*>(&(bodies_[numbers[lane]].*member)); });
+  }
+  struct Way {
+    Vec shift, turn;
+  };
+  [[gnu::always_inline]] Way load_way(const std::uint32_t* n) const {
+    const auto shift = load(n, &SoftBody::shift), turn = load(n, &SoftBody::turn);
+    return {{shift.x, shift.y, shift.z}, {turn.x, turn.y, turn.z}};
   }
   [[gnu::always_inline]] Side load_velocity(const std::uint32_t* n) const {
     const auto v = load(n, &SoftBody::v), w = load(n, &SoftBody::w), i = load(n, &SoftBody::xx), j = load(n, &SoftBody::yz);

@@ -58,13 +58,19 @@ struct SoftRows {
   Vec3T<V> ra, rb;       // the middle from the centres of mass, world axes, m
   Symmetric3<V> press;   // how (u·n, −ω·t2, ω·t1) answers impulses along the normal at (1, x, y)
   Symmetric3<V> slide;   // how (u·t1, u·t2, ω·n) answers those along the surface
-  V friction;            // coefficient, static or dynamic: chosen once a step
+  V friction, friction_dynamic;  // coefficients: the one at work, and the one of what slips
+  V spin_mass, roll_mass;        // 1 / nᵀI⁻¹n, 1 / the larger eigenvalue of I⁻¹ in the tangent plane
+  V spinning, rolling;           // limits of the moments as lengths times the normal impulse, m
+  V spin, roll_1, roll_2;        // accumulated moments about n, t1, t2, N m s
   V lift;                // added to separations: far apart where the contact is to be left alone
+  Vec3T<V> apart;        // from b's centre to a's when the step began, m
+  V owned_by_a;          // 1: the contact's points go along with a, 0: with b
   V glide_1, glide_2;    // how the surfaces move along themselves, a less b, m/s
   V bias_rate, mass_scale, impulse_scale;          // softness
   Point points[4];
   std::uint32_t a[V::count]{}, b[V::count]{};      // numbers of the bodies
   std::uint32_t used = 0;                          // lanes, the first ones
+  bool turning = false;                            // some contact resists turning
 };
 
 // Bodies side by side in the order of their numbers: all that moves them but their velocities, which lie in SoftBody.

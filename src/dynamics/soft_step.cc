@@ -35,7 +35,7 @@ struct SoftContact {
   std::uint32_t group = 0, lane = 0;  // where its row lies
   std::uint32_t count = 0;            // of points
   std::uint32_t support = none;       // its number among supports
-  Real approach = 0;                  // fastest at the start of the step, m/s
+  Real approach = 0, sliding = 0;     // fastest at the start of the step, m/s
   bool fresh = false;                 // new
   bool pressed = false;               // was pressed in the last step
 };
@@ -237,6 +237,19 @@ class Batch {
 
   const ActiveContact& view(const SoftContact& c) const { return in_.contacts[c.in_view]; }
 
+  // Which body the points of a contact go along with: the one that moves, or the smaller one.
+  bool owned_by_a(const ActiveContact& c) const {
+    const Bodies& b = in_.bodies;
+    if (b.dynamic(c.a) != b.dynamic(c.b)) return b.dynamic(c.a);
+    return b.radius[c.a] <= b.radius[c.b];
+  }
+
+  // The part of a turn by less than half a circle that goes about n.
+  static Quat twist_about(const Vec3& n, const Quat& turn) {
+    const Vec3 along = n * dot(turn.vector(), n);
+    return normalize(Quat{along.x, along.y, along.z, turn.w});
+  }
+
   void prepare(SoftContact& c) {
     const ActiveContact& from = view(c);
     const Manifold& manifold = *from.manifold;
@@ -245,15 +258,22 @@ class Batch {
     SoftRows& row = w_.rows[c.group];
     const std::uint32_t lane = c.lane;
     const SoftBody &on_a = w_.bodies[c.a], &on_b = w_.bodies[c.b];
+    const Vec3 n = manifold.normal, t1 = any_perpendicular(n), t2 = cross(n, t1);
     c.count = std::uint32_t(manifold.count);
 
-    const Vec3 n = manifold.normal, t1 = any_perpendicular(n), t2 = cross(n, t1);
     const Vec3 to_shape = rotate(place.a.q, bodies.shape_frame[from.a].p);
     Vec3 middle;
     for (std::size_t k = 0; k < c.count; ++k) middle += manifold.points[k].at / Real(c.count);
-    const Vec3 ra = middle + to_shape, rb = ra + (place.a.p - place.b.p);
+    const bool of_a = owned_by_a(from);
+    const Quat twist = (manifold.bits & Manifold::kept) == 0 ? Quat{}
+                       : of_a ? twist_about(n, bodies.orientation[from.a] * conjugate(place.a.q))
+                              : twist_about(n, bodies.orientation[from.b] * conjugate(place.b.q));
+    const Vec3 ra = rotate(twist, middle + to_shape);
+    const Vec3 rb = rotate(twist, middle + to_shape + (place.a.p - place.b.p));
     row.a[c.lane] = c.a, row.b[c.lane] = c.b;
     set(row.n, lane, n), set(row.t1, lane, t1), set(row.ra, lane, ra), set(row.rb, lane, rb);
+    set(row.apart, lane, bodies.position[from.a] - bodies.position[from.b]);
+    row.owned_by_a[lane] = of_a ? 1 : 0;
 
     Response press, slide;
     const auto side = [&](const SoftBody& on, const Vec3& r) {
@@ -276,7 +296,7 @@ class Batch {
     const Vec3 w = on_a.w - on_b.w;
     const Vec3 u = (on_a.v - on_b.v) + (cross(on_a.w, ra) - cross(on_b.w, rb));
     for (std::size_t k = 0; k < c.count; ++k) {
-      const Vec3 d = manifold.points[k].at - middle;
+      const Vec3 d = rotate(twist, manifold.points[k].at - middle);
       const Real x = dot(d, t1), y = dot(d, t2);
       SoftRows::Point& p = row.points[k];
       p.x[lane] = x, p.y[lane] = y;
@@ -284,6 +304,8 @@ class Batch {
       p.normal_mass[lane] = 1 / press.at(x, y);
       p.tangent_mass[lane] = 1 / slide.largest(x, y);
       const Real approach = -dot(u + cross(w, d), n);
+      const Vec3 along = u + cross(w, d) + surfaces;
+      c.sliding = max(c.sliding, length(along - n * dot(along, n)));
       c.approach = k == 0 ? approach : max(c.approach, approach);
     }
     if (from.material.restitution > 0) w_.bouncing.push_back(std::uint32_t(&c - w_.contacts.data()));
@@ -400,8 +422,22 @@ class Batch {
     c.fresh = fresh;
     c.pressed = held > 0;
     const Material& m = from.material;
-    const bool sticks = c.pressed ? in_.contact_state.slipping[from.slot] == 0 : true;
+    // Who stuck goes on sticking; who slipped sticks again once it is slow (impulse_2007.cc).
+    const bool sticks = !c.pressed || in_.contact_state.slipping[from.slot] == 0 ||
+                        c.sliding <= Real(0.1) * length(gravity_) * h_;
     row.friction[lane] = sticks ? m.friction_static : m.friction_dynamic;
+    row.friction_dynamic[lane] = m.friction_dynamic;
+    if (m.rolling > 0 || m.spinning > 0) {
+      row.turning = true;
+      row.rolling[lane] = m.rolling, row.spinning[lane] = m.spinning;
+      row.spin_mass[lane] = 1 / row.slide.zz[lane];
+      const Real yy = row.press.yy[lane], zz = row.press.zz[lane], yz = row.press.yz[lane];
+      row.roll_mass[lane] = 1 / ((yy + zz) * Real(0.5) + sqrt(square((yy - zz) * Real(0.5)) + square(yz)));
+      if (!began) {
+        row.spin[lane] = dot(stored.turning, manifold.normal);
+        row.roll_1[lane] = dot(stored.turning, t1), row.roll_2[lane] = dot(stored.turning, t2);
+      }
+    }
   }
 
   // --- restitution: true impacts, before this sub-step's gravity; one contact after the other, its points at once ---
@@ -455,9 +491,24 @@ class Batch {
       target[k] = u < 0 ? sqrt(max(Real(0), square(e) * max(Real(0), square(u) + fallen) - fallen)) : Real(0);
     }
     if (!acts) return false;
-    Vec3 press, slide;
+    Vec3 press;
     const Symmetric3<Real> response{row.press.xx[lane], row.press.xy[lane], row.press.xz[lane],
                                     row.press.yy[lane], row.press.yz[lane], row.press.zz[lane]};
+    // First all points of the face alike, or what the first of them takes away turns the body.
+    Vec3 all;
+    Real owed = 0;
+    for (std::size_t k = 0; k < c.count; ++k) {
+      if (!touches[k]) continue;
+      const SoftRows::Point& p = row.points[k];
+      all += Vec3{1, p.x[lane], p.y[lane]};
+      owed += target[k] - (g.x + p.x[lane] * g.y + p.y[lane] * g.z);
+    }
+    if (owed > 0) {
+      const Real equal = owed / dot(all, response * all);
+      press = all * equal;
+      g += response * press;
+      for (std::size_t k = 0; k < c.count; ++k) impulse[k] = touches[k] ? equal : Real(0);
+    }
     for (int round = 0; round < 8; ++round) {
       for (std::size_t k = 0; k < c.count; ++k) {
         if (!touches[k]) continue;
@@ -554,6 +605,7 @@ class Batch {
       ContactImpulse& out = in_.contact_state.impulse[from.slot];
       ContactReference& reference = in_.contact_state.reference[from.slot];
       out = {};
+      out.turning = from.manifold->normal * row.spin[lane] + t1 * row.roll_1[lane] + t2 * row.roll_2[lane];
       Real held = 0, pull_1 = 0, pull_2 = 0;
       bool everywhere = true;
       const Real nearly = Real(0.999) * row.friction[lane];
