@@ -4,6 +4,7 @@
 
 #include "dynamics/colours.h"
 #include "dynamics/integrate.h"
+#include "dynamics/reference_islands.h"
 #include "dynamics/soft_rows.h"
 #include "dynamics/support.h"
 
@@ -480,14 +481,15 @@ class Batch {
     std::array<Real, 4> target{}, impulse{};
     bool acts = false;
     std::array<bool, 4> touches{};
+    constexpr Real together = Real(0.1);  // share of a sub-step's way by which points of a face may come later
     for (std::size_t k = 0; k < c.count; ++k) {
       const SoftRows::Point& p = row.points[k];
       const Real u = g.x + p.x[lane] * g.y + p.y[lane] * g.z, s = separation(c, row, k);
-      touches[k] = s <= 0;
+      touches[k] = s <= max(Real(0), -together * h_ * u);
       if (!touches[k]) continue;
-      acts |= u < -threshold();
+      acts |= s <= 0 && u < -threshold();
       // Falling on by the depth gave speed that the surface would not have seen.
-      const Real fallen = -2 * pull * s;
+      const Real fallen = -2 * pull * min(Real(0), s);
       target[k] = u < 0 ? sqrt(max(Real(0), square(e) * max(Real(0), square(u) + fallen) - fallen)) : Real(0);
     }
     if (!acts) return false;
@@ -642,11 +644,14 @@ struct Plan {
   std::vector<std::uint32_t> islands;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> batches;  // first, end in that list
 
-  void make(std::span<const Island> all, bool at_once) {
+  void make(const StepView& in) {
     constexpr std::uint32_t enough = 2000;
+    const std::span<const Island> all = in.islands;
+    const bool at_once = act_from_afar(in.forces);
     islands.clear(), batches.clear();
     std::uint32_t first = 0, cost = 0;
     for (std::uint32_t i = 0; i < all.size(); ++i) {
+      if (ReferenceIslands::belongs(in, all[i])) continue;
       islands.push_back(i);
       cost += all[i].contacts.count + all[i].bodies.count;
       if (at_once || cost < enough) continue;
@@ -663,6 +668,7 @@ struct SoftStepSolver::Memory {
   std::vector<std::uint32_t> number_of;  // by slot: number in its batch; 0 but for what moves
   std::vector<Workspace> work;           // by worker
   Plan plan;
+  ReferenceIslands reference;
 };
 
 SoftStepSolver::SoftStepSolver() : memory_(std::make_unique<Memory>()) {}
@@ -671,11 +677,11 @@ SoftStepSolver& SoftStepSolver::operator=(SoftStepSolver&&) noexcept = default;
 SoftStepSolver::~SoftStepSolver() = default;
 
 void SoftStepSolver::advance(const StepView& in, StepOutcome& out) {
-  if (!in.joints.empty()) throw Error("solver", "soft_step does not solve joints yet");
   Memory& m = *memory_;
   m.work.resize(in.pool.workers());
   for (Workspace& w : m.work) w.out.clear();
-  m.plan.make(in.islands, act_from_afar(in.forces));
+  m.plan.make(in);
+  const bool carried = m.reference.advance(in, out);
   m.number_of.resize(in.bodies.size());
   for (std::uint32_t k = 0; k < in.kinematic.size(); ++k) m.number_of[in.kinematic[k]] = k + 1;
   for (const auto& [first, end] : m.plan.batches) {
@@ -692,7 +698,7 @@ void SoftStepSolver::advance(const StepView& in, StepOutcome& out) {
     for (const std::uint32_t i : list) m.number_of[i] = 0;
   }
   for (const std::uint32_t i : in.kinematic) {
-    for (int k = 0; k < in.substeps; ++k) carry(in.bodies, i, in.h);
+    for (int k = 0; k < in.substeps && !carried; ++k) carry(in.bodies, i, in.h);
   }
   for (const Workspace& w : m.work) out.add(w.out);
   std::ranges::sort(out.hits, {}, &StepOutcome::Hit::contact);

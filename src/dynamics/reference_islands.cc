@@ -1,0 +1,96 @@
+#include "dynamics/reference_islands.h"
+
+#include <numeric>
+
+namespace sudar::inline SUDAR_PRECISION {
+
+bool ReferenceIslands::belongs(const StepView& in, const Island& island) {
+  if (island.joints.count > 0) return true;
+  // Who attracts from afar is seen where it is at each sub-step: then all advance together.
+  if (act_from_afar(in.forces) && !in.joints.empty()) return true;
+  if (island.linked || in.smooth.empty()) return false;
+  const std::uint32_t body = island.bodies.of(in.awake).front();
+  return std::ranges::find(in.smooth, body) != in.smooth.end();
+}
+
+void ReferenceIslands::gather(const StepView& in) {
+  islands_.clear(), awake_.clear(), joints_.clear(), contacts_.clear(), in_view_.clear(), pairs_.clear();
+  for (const Island& island : in.islands) {
+    if (!belongs(in, island)) continue;
+    Island& own = islands_.emplace_back(island);
+    own.bodies.first = std::uint32_t(awake_.size());
+    own.contacts.first = std::uint32_t(contacts_.size());
+    own.joints.first = std::uint32_t(joints_.size());
+    const auto bodies = island.bodies.of(in.awake), joints = island.joints.of(in.joints);
+    awake_.insert(awake_.end(), bodies.begin(), bodies.end());
+    joints_.insert(joints_.end(), joints.begin(), joints.end());
+    for (std::uint32_t c = island.contacts.first; c < island.contacts.first + island.contacts.count; ++c) {
+      in_view_.push_back(c);
+      contacts_.push_back(in.contacts[c]);
+      PairRow& row = pairs_.emplace_back();
+      row.key = {in.contacts[c].a, in.contacts[c].b};
+      row.manifold = *in.contacts[c].manifold;
+    }
+  }
+  smooth_.assign(in.smooth.begin(), in.smooth.end());
+}
+
+void ReferenceIslands::look_again(const StepView& in) {
+  if (poses_.size() < in.bodies.size()) poses_.resize(in.bodies.size());
+  for (const PairRow& row : pairs_) {
+    for (const std::uint32_t i : {row.key.a, row.key.b}) poses_[i] = in.bodies.shape_pose(i);
+  }
+  std::vector<std::uint32_t> all(pairs_.size());
+  std::iota(all.begin(), all.end(), 0u);
+  collide_pairs(pairs_, all, in.geometries, poses_, in.config.impulse_2007.slop * in.config.length_unit);
+  for (std::size_t k = 0; k < pairs_.size(); ++k) contacts_[k].manifold = &pairs_[k].manifold;
+}
+
+// Stored impulses lie in the order of the last manifold's points; the pair remembers the first one's.
+void ReferenceIslands::reorder_impulses(const StepView& in) {
+  for (std::size_t k = 0; k < contacts_.size(); ++k) {
+    const Manifold &last = pairs_[k].manifold, &first = *in.contacts[in_view_[k]].manifold;
+    ContactImpulse& stored = in.contact_state.impulse[contacts_[k].slot];
+    ContactImpulse ordered;
+    ordered.turning = stored.turning;
+    for (std::size_t i = 0; i < std::size_t(first.count); ++i) {
+      for (std::size_t j = 0; j < std::size_t(last.count); ++j) {
+        if (first.points[i].feature != last.points[j].feature) continue;
+        ordered.normal[i] = stored.normal[j], ordered.friction[i] = stored.friction[j];
+      }
+    }
+    stored = ordered;
+  }
+}
+
+bool ReferenceIslands::advance(const StepView& in, StepOutcome& out) {
+  gather(in);
+  if (islands_.empty()) return false;
+  StepOutcome some;
+  for (int n = 0; n < in.substeps; ++n) {
+    some.clear();
+    look_again(in);
+    solver_.advance({.config = in.config,
+                     .h = in.h,
+                     .forces = in.forces,
+                     .islands = islands_,
+                     .awake = awake_,
+                     .contacts = contacts_,
+                     .joints = joints_,
+                     .smooth = smooth_,
+                     .kinematic = in.kinematic,
+                     .geometries = in.geometries,
+                     .bodies = in.bodies,
+                     .joint_state = in.joint_state,
+                     .joint_graph = in.joint_graph,
+                     .contact_state = in.contact_state,
+                     .pool = in.pool},
+                    some);
+    for (StepOutcome::Hit& hit : some.hits) hit.contact = in_view_[hit.contact];
+    out.add(some);
+  }
+  reorder_impulses(in);
+  return true;
+}
+
+}

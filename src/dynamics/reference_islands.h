@@ -1,0 +1,33 @@
+// The islands of a step that soft_step leaves to the reference solver, impulse_2007: those with joints, whose exact
+// solution it has not got, and free bodies for Runge–Kutta. Sub-step by sub-step, their contacts looked at again in each.
+#pragma once
+
+#include "collision/narrow/pairs.h"
+#include "dynamics/impulse_2007.h"
+
+namespace sudar::inline SUDAR_PRECISION {
+
+// Keeps only memory between steps, no state.
+class ReferenceIslands {
+ public:
+  // Whether the island is one of them, in this view.
+  static bool belongs(const StepView&, const Island&);
+
+  // Advances them by all sub-steps, and kinematic bodies, too, if it advances anything: returns whether it did.
+  bool advance(const StepView&, StepOutcome&);
+
+ private:
+  void gather(const StepView&);
+  void look_again(const StepView&);
+  void reorder_impulses(const StepView&);
+
+  Impulse2007Solver solver_;
+  std::vector<Island> islands_;
+  std::vector<std::uint32_t> awake_, joints_, smooth_;
+  std::vector<ActiveContact> contacts_;
+  std::vector<std::uint32_t> in_view_;  // number of each contact in the step's view
+  std::vector<PairRow> pairs_;
+  std::vector<Pose> poses_;             // of shapes, by slot; of those in pairs
+};
+
+}
