@@ -390,6 +390,7 @@ void describe(V& v, T& d) {
 
 // The fast solver (src/dynamics/soft_step.h).
 struct SoftStep {
+  std::int32_t substeps = 0;     // 0: as Config::substeps says
   Real contact_frequency = 30;   // Hz, at most 1/8 of the sub-steps' rate; twice as stiff against what does not move
   Real contact_damping = 10;     // ratio ζ
   Real push_speed = 3;           // overlap is undone no faster, m/s · length_unit
@@ -398,6 +399,7 @@ struct SoftStep {
 };
 template <class V, Like<SoftStep> T>
 void describe(V& v, T& d) {
+  v("substeps", d.substeps, Range{0, 10000});
   v("contact_frequency", d.contact_frequency, positive), v("contact_damping", d.contact_damping, not_negative);
   v("push_speed", d.push_speed, not_negative), v("carry_loads", d.carry_loads, any);
   v("lanes", d.lanes, Range{0, 16});

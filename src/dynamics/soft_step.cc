@@ -424,7 +424,7 @@ class Batch {
     c.pressed = held > 0;
     const Material& m = from.material;
     // Who stuck goes on sticking; who slipped sticks again once it is slow (impulse_2007.cc).
-    const bool sticks = !c.pressed || in_.contact_state.slipping[from.slot] == 0 ||
+    const bool sticks = (c.pressed && in_.contact_state.slipping[from.slot] == 0) ||
                         c.sliding <= Real(0.1) * length(gravity_) * h_;
     row.friction[lane] = sticks ? m.friction_static : m.friction_dynamic;
     row.friction_dynamic[lane] = m.friction_dynamic;

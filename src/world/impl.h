@@ -155,6 +155,10 @@ struct World::Impl {
     return config.solver == Solver::impulse_2007 ? Impulse2007Solver::detects_each_substep
                                                  : SoftStepSolver::detects_each_substep;
   }
+  int substeps() const {
+    const bool own = config.solver == Solver::soft_step && config.soft_step.substeps > 0;
+    return own ? config.soft_step.substeps : config.substeps;
+  }
   Real contact_margin(std::uint32_t body) const;     // how near others are felt, m
   void settle_boxes();                               // tells the broad phase of all changes
   bool renew_box(std::uint32_t body, bool force);    // keeps the fat box around the body; whether it is another one

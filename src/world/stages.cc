@@ -266,7 +266,7 @@ void solve(World::Impl& w) {
   outcome.points = 0;
   const StepView view{.config = w.config,
                       .h = Real(w.h),
-                      .substeps = w.detects_each_substep() ? 1 : w.config.substeps,
+                      .substeps = w.detects_each_substep() ? 1 : w.substeps(),
                       .forces = w.forces,
                       .islands = w.islands,
                       .awake = w.awake,
@@ -314,7 +314,7 @@ void refit(World::Impl& w) {
 // on: in a weak field it only begins to fall.
 void sleep(World::Impl& w) {
   Bodies& b = w.bodies;
-  const double advanced = w.detects_each_substep() ? w.h : w.h * w.config.substeps;
+  const double advanced = w.detects_each_substep() ? w.h : w.h * w.substeps();
   watch_rest(b, w.awake, w.config.length_unit, Real(advanced));
   if (!w.config.sleep || w.awake.empty()) return;
   HeldByFaces& held = w.held_by_faces;
@@ -366,7 +366,7 @@ void sense(World::Impl& w, double dt) {
 
 void World::Impl::step(double dt) {
   const FloatState defaults;
-  const double simulated = dt * double(config.time_factor), sub_step = simulated / config.substeps;
+  const double simulated = dt * double(config.time_factor), sub_step = simulated / substeps();
   if (!(sub_step > 0) || !std::isnormal(Real(sub_step))) {
     throw Error("dt", "makes a sub-step of " + text(sub_step) + " s, which the precision cannot hold");
   }
@@ -377,7 +377,7 @@ void World::Impl::step(double dt) {
   for (const Stage& stage : stages) profile.stages.push_back({stage.name, 0});
   last_dt = dt;
   h = sub_step;  // thesis (3.4)
-  const int rounds = detects_each_substep() ? config.substeps : 1;
+  const int rounds = detects_each_substep() ? substeps() : 1;
   for (int n = 0; n < rounds; ++n) {
     for (std::size_t s = 0; s < std::size(stages); ++s) {
       const Timer timer;

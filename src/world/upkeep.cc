@@ -138,7 +138,7 @@ bool World::Impl::forbidden(const ProxyPair& key) const {
 
 void World::Impl::rebuild() {
   pool->resize(std::uint32_t(config.workers));
-  h = clock_step / config.substeps;
+  h = clock_step / substeps();
   planes.clear(), parted.clear(), named.clear(), hollows.clear(), pushed.clear();
   awake_bodies.clear(), moving_kinematic.clear(), awake_joints.clear(), sleepers.clear();
   changed.clear(), searched.clear(), found.clear();
