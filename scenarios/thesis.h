@@ -11,7 +11,6 @@ inline Config thesis_config(int collision_passes = 40, int contact_passes = 80) 
   Config c;
   c.dt = 0.01;
   c.substeps = 1;
-  c.soft_step.substeps = 4;
   c.friction_mix = Mix::min;
   c.restitution_mix = Mix::max;
   c.impulse_2007.collision_passes = collision_passes;

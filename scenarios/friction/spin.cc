@@ -21,7 +21,10 @@ struct Spin : Scenario {
   void state(State& s) override {
     s("box", box_), s("football", football), s("disc", disc), s("ball", ball), s("stopped", stopped);
   }
-  void config(Config& c) override { c = thesis_config(); }
+  void config(Config& c) override {
+    c = thesis_config();
+    c.soft_step.substeps = 4;  // finds contacts once a step
+  }
 
   void build(World& w) override {
     add_floor(w, -2, gravity);

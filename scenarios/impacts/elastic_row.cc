@@ -17,7 +17,10 @@ struct ElasticRow : Scenario {
     p("cubes", count, 1, 15), p("restitution", restitution, 0, 1), p("speed", speed, 0, 20, "m/s, of the first");
   }
   void state(State& s) override { s("cubes", cubes); }
-  void config(Config& c) override { c = thesis_config(); }
+  void config(Config& c) override {
+    c = thesis_config();
+    c.soft_step.substeps = 4;  // finds contacts once a step
+  }
 
   void build(World& w) override {
     const Material material{Real(0.6), Real(0.4), restitution};

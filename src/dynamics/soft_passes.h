@@ -70,8 +70,14 @@ class SoftPasses {
     save();
   }
   [[gnu::always_inline]] void relax(SoftRows& r) {
-    press_points<false>(r);
-    rub_points(r);
+    // In an impact normal and tangential impulses decide about each other at once.
+    const int sweeps = r.strikes ? 4 : 1;
+    const Vec ra = ra_, rb = rb_;
+    for (int sweep = 0; sweep < sweeps; ++sweep) {
+      ra_ = ra, rb_ = rb;
+      press_points<false>(r);
+      rub_points(r, sweep + 1 == sweeps);
+    }
     if (r.turning) resist_turning(r);
     save();
   }
@@ -124,14 +130,14 @@ class SoftPasses {
   }
 
   // Friction, point by point, each as far as its own normal impulse lets it hold.
-  [[gnu::always_inline]] void rub_points(SoftRows& r) {
+  [[gnu::always_inline]] void rub_points(SoftRows& r, bool last) {
     arms_of_friction(r);
     const Vec u = (on_a_.v - on_b_.v) + (cross(on_a_.w, ra_) - cross(on_b_.w, rb_));
     Vec g{dot(u, t1_) + get(r.glide_1), dot(u, t2_) + get(r.glide_2), dot(on_a_.w - on_b_.w, n_)};
     const Symmetric3<V> response = get(r.slide);
     const V coefficient = get(r.friction), one = wide::all<V>(1);
-    Vec sum;
-    V load{}, pull_1{}, pull_2{};
+    Vec before, after;
+    V load{};
     for (SoftRows::Point& p : r.points) {
       const V x = get(p.x), y = get(p.y), mass = get(p.tangent_mass), f1 = get(p.friction_1), f2 = get(p.friction_2);
       V next_1 = f1 - mass * (g.x - y * g.z), next_2 = f2 - mass * (g.y + x * g.z);
@@ -139,17 +145,21 @@ class SoftPasses {
       const V cut = size > most * most ? most / wide::root(wide::larger(size, wide::all<V>(tiny))) : one;
       next_1 *= cut, next_2 *= cut;
       put(p.friction_1, next_1), put(p.friction_2, next_2);
-      load += normal, pull_1 += next_1, pull_2 += next_2;
+      load += normal;
+      before += Vec{f1, f2, x * f2 - y * f1}, after += Vec{next_1, next_2, x * next_2 - y * next_1};
       const V d1 = next_1 - f1, d2 = next_2 - f2;
-      const Vec step{d1, d2, x * d2 - y * d1};
-      sum += step;
-      g += response * step;
+      g += response * Vec{d1, d2, x * d2 - y * d1};
     }
-    push({}, sum);
-    // What slips as a whole slips on with less.
-    const V edge = coefficient * load * wide::all<V>(Real(0.999));
-    const auto slips = pull_1 * pull_1 + pull_2 * pull_2 > edge * edge;
-    put(r.friction, slips ? get(r.friction_dynamic) : coefficient);
+    if (!last) return push({}, after - before);
+    // What slips as a whole is held by dynamic friction only, from this moment on.
+    const V edge = coefficient * load * wide::all<V>(Real(0.999)), dynamic = get(r.friction_dynamic);
+    const auto slips = after.x * after.x + after.y * after.y > edge * edge;
+    const V left = slips ? dynamic / coefficient : one;
+    for (SoftRows::Point& p : r.points) {
+      put(p.friction_1, get(p.friction_1) * left), put(p.friction_2, get(p.friction_2) * left);
+    }
+    put(r.friction, slips ? dynamic : coefficient);
+    push({}, after * left - before);
   }
 
   // Where the contact was in the middle of the drift: on its owner, whose turn about the normal takes it

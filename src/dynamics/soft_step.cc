@@ -401,6 +401,7 @@ class Batch {
     const bool fresh = began || reference.carried < 0;  // has carried nothing yet
     const bool eased = !fresh && carried > 0 && carried < Real(0.9) * reference.carried;
     Real held = 0;
+    bool struck = false;
     ContactReference next{.normal = {}, .carried = c.support == none && fresh ? Real(-1) : carried};
     for (std::size_t k = 0; k < c.count; ++k) {
       SoftRows::Point& p = row.points[k];
@@ -414,6 +415,7 @@ class Batch {
         if (!fresh) kept = min(reference.normal[std::size_t(match)], load[k]);
         if (eased) normal *= carried / reference.carried;
       }
+      struck |= normal == 0 && c.approach > threshold();
       if (fresh) normal = max(normal, load[k]);
       next.normal[k] = kept;
       p.normal[lane] = normal, p.reference[lane] = kept;
@@ -422,6 +424,7 @@ class Batch {
     reference = next;
     c.fresh = fresh;
     c.pressed = held > 0;
+    row.strikes |= struck;
     const Material& m = from.material;
     // Who stuck goes on sticking; who slipped sticks again once it is slow (impulse_2007.cc).
     const bool sticks = (c.pressed && in_.contact_state.slipping[from.slot] == 0) ||

@@ -85,6 +85,8 @@ struct World::Impl {
   std::vector<std::uint32_t> awake, smooth, kinematic, active_joints;
   std::vector<Pose> shape_poses;            // by body slot
   std::vector<const Geometry*> geometries;
+  std::vector<double> way;                  // by body slot: how far any of its points can have come so far, m
+  std::vector<std::uint8_t> looked_at;      // by pair: in the last stage `collide`
   std::vector<std::uint32_t> touching;      // pairs that touch and can change, island after island
   std::vector<ActiveContact> active_contacts;  // the same
   Unions unions;
@@ -159,7 +161,10 @@ struct World::Impl {
     const bool own = config.solver == Solver::soft_step && config.soft_step.substeps > 0;
     return own ? config.soft_step.substeps : config.substeps;
   }
-  Real contact_margin(std::uint32_t body) const;     // how near others are felt, m
+  Real contact_margin(std::uint32_t body) const;     // how near others are felt, m: the half of it that is the body's
+  Real pair_margin(std::uint32_t a, std::uint32_t b) const {
+    return detects_each_substep() ? contact_margin(a) : contact_margin(a) + contact_margin(b);
+  }
   void settle_boxes();                               // tells the broad phase of all changes
   bool renew_box(std::uint32_t body, bool force);    // keeps the fat box around the body; whether it is another one
   void touch_proxy(std::uint32_t body, bool force);  // the same, and notes a change

@@ -58,6 +58,7 @@ Body World::Impl::perform(const AddBody& op) {
   const std::uint32_t i = bodies.add(op.def, geometry.number_of(op.def.shape));
   if (i == body_names.size()) {
     body_names.emplace_back(), proxies.emplace_back(), shape_poses.emplace_back(), geometries.emplace_back();
+    way.push_back(0);
   }
   geometries[i] = &geometry_of(i);
   body_names[i] = op.def.name;

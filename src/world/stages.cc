@@ -121,6 +121,20 @@ bool keep_manifold(const World::Impl& w, PairRow& row, Real margin) {
   return true;
 }
 
+void collide(World::Impl& w, std::uint32_t p) {
+  PairWatch& watch = w.pairs.watches()[p];
+  const std::uint32_t a = watch.a, b = watch.b;
+  const Real margin = w.pair_margin(a, b);
+  const double way = w.way[a] + w.way[b];
+  w.looked_at[p] = watch.rests(way, double(margin)) ? 0 : 1;
+  if (w.looked_at[p] == 0) return;
+  PairRow& row = w.pairs[p];
+  if (!w.detects_each_substep() && keep_manifold(w, row, margin)) return;
+  const Real apart = collide_pair(row, *w.geometries[a], w.shape_poses[a], *w.geometries[b], w.shape_poses[b], margin);
+  constexpr double sure = 0.999;  // more than rounding takes away
+  watch.until = apart < 0 ? -1 : way + sure * double(apart);
+}
+
 }
 
 // Collides what can change; what that wakes can change too.
@@ -130,24 +144,14 @@ void collide(World::Impl& w) {
     return b.slots.used(i) && b.motion[i] == Motion::kinematic && b.moves(i);
   });
   wake_carried(w);
-  const bool each_substep = w.detects_each_substep();
   std::vector<std::uint32_t> round = w.pairs.settle([&](const ProxyPair& key) { return can_change(b, key); });
+  w.looked_at.resize(w.pairs.rows().size());
   while (!round.empty()) {
     w.pool->for_ranges(std::uint32_t(round.size()), 16, [&](std::uint32_t, std::uint32_t first, std::uint32_t end) {
-      const std::span<const std::uint32_t> some = std::span(round).subspan(first, end - first);
-      if (each_substep) {
-        collide_pairs(w.pairs.rows(), some, w.geometries, w.shape_poses, w.config.impulse_2007.slop * w.config.length_unit);
-        return;
-      }
-      for (const std::uint32_t& p : some) {
-        const ProxyPair& key = w.pairs[p].key;
-        const Real margin = w.contact_margin(key.a) + w.contact_margin(key.b);
-        if (keep_manifold(w, w.pairs[p], margin)) continue;
-        collide_pairs(w.pairs.rows(), std::span(&p, 1), w.geometries, w.shape_poses, margin);
-      }
+      for (std::uint32_t k = first; k < end; ++k) collide(w, round[k]);
     });
     for (const std::uint32_t p : round) {
-      if (touching(w.pairs[p])) wake_sides(w, w.pairs[p].key);
+      if (w.looked_at[p] != 0 && touching(w.pairs[p])) wake_sides(w, w.pairs[p].key);
     }
     round = w.pairs.take_activated();
   }
@@ -166,6 +170,7 @@ void note_place(World::Impl& w, const PairRow& row) {
 void link_contacts(World::Impl& w, std::vector<std::uint32_t>& touching_rows) {
   const Bodies& b = w.bodies;
   for (const std::uint32_t r : w.pairs.active()) {
+    if (w.looked_at[r] == 0) continue;
     PairRow& row = w.pairs[r];
     const std::uint32_t a = row.key.a, c = row.key.b;
     if ((row.manifold.bits & Manifold::began) != 0) {

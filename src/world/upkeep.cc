@@ -37,8 +37,10 @@ bool World::Impl::renew_box(std::uint32_t i, bool force) {
   proxy.filter = bodies.filter[i];
   proxy.fixed = bodies.motion[i] == Motion::fixed;
   proxy.present = bodies.slots.used(i) && bodies.quarantined[i] == 0 && !is_half_space(i);
-  const Pose pose = shape_poses[i] = bodies.shape_pose(i);
+  const Pose pose = bodies.shape_pose(i), before = std::exchange(shape_poses[i], pose);
   if (!proxy.present) return true;
+  const Quat turn = pose.q * conjugate(before.q);  // twice its sine is the chord of a circle of radius 1
+  way[i] += double(length(pose.p - before.p)) + 2 * double(length(turn.vector()) * geometry_of(i).bounding_radius);
   // The box holds the margin within which contacts are made, and room to move before it must be renewed.
   const Real margin = contact_margin(i);
   if (!force && contains(proxy.box, bounds(geometry_of(i), pose, margin))) return false;
@@ -143,6 +145,7 @@ void World::Impl::rebuild() {
   awake_bodies.clear(), moving_kinematic.clear(), awake_joints.clear(), sleepers.clear();
   changed.clear(), searched.clear(), found.clear();
   shape_poses.resize(bodies.size()), geometries.resize(bodies.size());
+  way.assign(bodies.size(), 0);
   joint_graph = {};
   for (std::uint32_t j = 0; j < joints.size(); ++j) {
     if (joints.slots.used(j)) enlist_joint(j);

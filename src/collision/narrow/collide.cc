@@ -27,14 +27,16 @@ void to_common(const Transform& local, Manifold& m) {
   }
 }
 
-void collide_hulls(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out) {
+// Returns how far they are apart at least.
+Real collide_hulls(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out) {
   const Quat back = conjugate(a.pose.q);
   const HullView in_a(a.geometry->hull);
   const MovedHull of_b(b.geometry->hull, matrix(back * b.pose.q), rotate(back, b.pose.p - a.pose.p));
   const Axis axis = find_axis(in_a, of_b, margin, cache);
-  if (axis.kind == Axis::none) return;
+  if (axis.kind == Axis::none) return axis.separation;
   contact_region(in_a, of_b, axis, margin, out);
   to_common(a.pose, out);
+  return axis.separation;
 }
 
 void collide_round_hull(const Placed& a, const Placed& b, Real margin, Manifold& out) {
@@ -77,7 +79,8 @@ void collide_beyond_hulls(const Placed& a, const Placed& b, Real margin, Manifol
 }
 
 // a's kind is not after b's.
-void collide_ordered(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out) {
+// Returns how far they are apart at least, if that is known.
+Real collide_ordered(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out) {
   const ShapeKind ka = a.geometry->kind, kb = b.geometry->kind;
   assert(!(ka == ShapeKind::half_space && kb == ShapeKind::half_space));
   if (kb > ShapeKind::hull) {
@@ -88,31 +91,35 @@ void collide_ordered(const Placed& a, const Placed& b, Real margin, AxisCache& c
   } else if (kb == ShapeKind::half_space) {
     collide_plane(a, b, margin, out);
   } else if (ka == ShapeKind::hull) {
-    collide_hulls(a, b, margin, cache, out);
+    return collide_hulls(a, b, margin, cache, out);
   } else if (kb == ShapeKind::hull) {
     collide_round_hull(a, b, margin, out);
   } else {
     collide_rounds(round_in_common(a), round_in_common(b), margin, out);
   }
+  return 0;
 }
 
-bool far_apart(const Placed& a, const Placed& b, Real margin) {
-  // thesis (3.28): bounding spheres first
-  const Real reach = a.geometry->bounding_radius + b.geometry->bounding_radius + margin;  // infinite for a half space
-  return length_squared(a.pose.p - b.pose.p) > square(reach);
+// The distance between bounding spheres.
+Real spheres_apart(const Placed& a, const Placed& b) {
+  const Real reach = a.geometry->bounding_radius + b.geometry->bounding_radius;  // infinite for a half space
+  return length(a.pose.p - b.pose.p) - reach;
 }
 
 }
 
-void collide(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out) {
+Real collide(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out) {
   out = {};
-  if (far_apart(a, b, margin)) return;
+  const Real least = spheres_apart(a, b);  // thesis (3.28): bounding spheres first
+  if (least > margin) return least;
+  Real apart;
   if (a.geometry->kind <= b.geometry->kind) {
-    collide_ordered(a, b, margin, cache, out);
+    apart = collide_ordered(a, b, margin, cache, out);
   } else {
-    collide_ordered(b, a, margin, cache, out);
+    apart = collide_ordered(b, a, margin, cache, out);
     out.normal = -out.normal;
   }
+  return out.count == 0 ? max(Real(0), apart) : Real(0);
 }
 
 }

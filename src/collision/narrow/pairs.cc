@@ -29,16 +29,17 @@ void match(const Manifold& old, Manifold& now) {
 
 // Both poses relative to that of a, except that a half space is taken at its foot, in double: far from its origin a
 // separation keeps its digits.
-void collide_placed(const Geometry& ga, const Pose& a, const Geometry& gb, const Pose& b, Real margin,
+Real collide_placed(const Geometry& ga, const Pose& a, const Geometry& gb, const Pose& b, Real margin,
                     AxisCache& cache, Manifold& out) {
   if (ga.kind == ShapeKind::half_space) {
     const Pose at = foot(a, b.p);
-    collide({&ga, {{}, a.q}}, {&gb, {b.p - at.p, b.q}}, margin, cache, out);
+    const Real apart = collide({&ga, {{}, a.q}}, {&gb, {b.p - at.p, b.q}}, margin, cache, out);
     const Vec3 shift = at.p - a.p;
     for (int i = 0; i < out.count; ++i) out.points[std::size_t(i)].at += shift;
+    return apart;
   } else {
     const Pos at = gb.kind == ShapeKind::half_space ? foot(b, a.p).p : b.p;
-    collide({&ga, {{}, a.q}}, {&gb, {at - a.p, b.q}}, margin, cache, out);
+    return collide({&ga, {{}, a.q}}, {&gb, {at - a.p, b.q}}, margin, cache, out);
   }
 }
 
@@ -54,13 +55,14 @@ std::uint32_t PairTable::find(const ProxyPair& key) const {
 std::uint32_t PairTable::add(const ProxyPair& key) {
   std::uint32_t pair = std::uint32_t(rows_.size());
   if (free_.empty()) {
-    rows_.emplace_back(), is_active_.push_back(0);
+    rows_.emplace_back(), watches_.emplace_back(), is_active_.push_back(0);
   } else {
     pair = free_.back();
     free_.pop_back();
     rows_[pair] = PairRow{};
   }
   rows_[pair].key = key;
+  watches_[pair] = {key.a, key.b};
   links_.add(pair, key.a, key.b);
   return pair;
 }
@@ -144,18 +146,22 @@ bool goes_on(const ProxyPair& key, std::span<const Proxy> proxies, std::span<con
   return may_pair(proxies[key.a], proxies[key.b]);
 }
 
+Real collide_pair(PairRow& row, const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Real margin) {
+  const Manifold old = row.manifold;
+  const Real apart = collide_placed(of_a, a, of_b, b, margin, row.cache, row.manifold);
+  match(old, row.manifold);
+  const bool touched = (old.bits & Manifold::touching) != 0, touches = row.manifold.count > 0;
+  if (touches) row.manifold.bits |= Manifold::touching;
+  if (touches && !touched) row.manifold.bits |= Manifold::began;
+  if (!touches && touched) row.manifold.bits |= Manifold::ended;
+  return touches || touched ? Real(-1) : apart;
+}
+
 void collide_pairs(std::span<PairRow> rows, std::span<const std::uint32_t> which,
                    std::span<const Geometry* const> geometry, std::span<const Pose> pose, Real margin) {
   for (const std::uint32_t i : which) {
-    PairRow& row = rows[i];
-    const auto [a, b] = row.key;
-    const Manifold old = row.manifold;
-    collide_placed(*geometry[a], pose[a], *geometry[b], pose[b], margin, row.cache, row.manifold);
-    match(old, row.manifold);
-    const bool touched = (old.bits & Manifold::touching) != 0, touches = row.manifold.count > 0;
-    if (touches) row.manifold.bits |= Manifold::touching;
-    if (touches && !touched) row.manifold.bits |= Manifold::began;
-    if (!touches && touched) row.manifold.bits |= Manifold::ended;
+    const auto [a, b] = rows[i].key;
+    collide_pair(rows[i], *geometry[a], pose[a], *geometry[b], pose[b], margin);
   }
 }
 

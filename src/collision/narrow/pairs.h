@@ -36,6 +36,14 @@ struct PlaneProxy {
   Pos point;    // on the surface
 };
 
+// How long a pair that does not touch need not be looked at: its shapes are apart until their ways, summed over both, are
+// this long. Changes only the time that collisions take, never their result.
+struct PairWatch {
+  std::uint32_t a = 0, b = 0;  // proxies
+  double until = -1;           // m; negative: look now
+  bool rests(double way, double margin) const { return way + margin < until; }
+};
+
 class PairTable {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
@@ -48,6 +56,7 @@ class PairTable {
 
   PairRow& operator[](std::uint32_t pair) { return rows_[pair]; }
   const PairRow& operator[](std::uint32_t pair) const { return rows_[pair]; }
+  std::span<PairWatch> watches() { return watches_; }  // by number
   std::span<PairRow> rows() { return rows_; }  // by number; some are not in use
   // All pairs, by key: for saving and looking.
   std::vector<std::uint32_t> sorted() const;
@@ -82,6 +91,7 @@ class PairTable {
   void merge();
 
   std::vector<PairRow> rows_;
+  std::vector<PairWatch> watches_;
   std::vector<std::uint8_t> is_active_;
   std::vector<std::uint32_t> free_, removed_;
   std::vector<std::uint32_t> active_;     // by key
@@ -102,8 +112,13 @@ void find_plane_pairs(std::span<const PlaneProxy> planes, std::span<const Proxy>
 bool goes_on(const ProxyPair&, std::span<const Proxy> proxies, std::span<const PlaneProxy> planes);
 
 // Two bodies' shapes where they are: points relative to a's position, world axes.
-void collide_placed(const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Real margin,
+// Returns how far they are apart at least, where they have no point in common, else 0.
+Real collide_placed(const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Real margin,
                     AxisCache& cache, Manifold& out);
+
+// Collides one row: manifold, matches, bits. Returns how far the shapes are apart at least, if they do not touch and did
+// not before, else −1.
+Real collide_pair(PairRow&, const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Real margin);
 
 // Collides the rows numbered in `which`: manifold, matches, bits. Rows are independent of each other, so parts of
 // `which` may run in parallel. Geometry and pose (of the shape's frame) by proxy.

@@ -85,6 +85,7 @@ class Search {
   }
 
   bool apart() const { return bound_ > margin_; }
+  Axis none() const { return {.separation = bound_, .normal = {}}; }
   Real tolerance(Real separation) const { return Real(1e-4) * abs(separation) + Real(2e-5) * scale_; }
 
  private:
@@ -181,7 +182,7 @@ std::uint32_t support(std::span<const Vec3> vertices, const Vec3& direction) {
 
 Axis find_axis(const HullView& a, const HullView& b, Real margin, AxisCache& cache) {
   Search search(a, b, margin);
-  if (search.cached(cache)) return {};
+  if (search.cached(cache)) return search.none();
   Axis best, of_b, of_edges;
   search.faces_of_a(best);
   if (!search.apart()) search.faces_of_b(of_b);
@@ -193,7 +194,7 @@ Axis find_axis(const HullView& a, const HullView& b, Real margin, AxisCache& cac
     if (best.kind == Axis::none || other.separation > best.separation + search.tolerance(best.separation)) best = other;
   }
   cache = {best.kind, best.a, best.b};
-  if (search.apart()) return {};
+  if (search.apart()) return search.none();
   if (best.kind == Axis::face_b) best.normal = -best.normal;
   return best;
 }

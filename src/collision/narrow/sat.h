@@ -70,7 +70,8 @@ struct Axis {
 // The vertex farthest along `direction`.
 std::uint32_t support(std::span<const Vec3> vertices, const Vec3& direction);
 
-// The axis of the largest separation, or none if some axis separates the hulls by more than `margin`.
+// The axis of the largest separation, or none if some axis separates the hulls by more than `margin`; its `separation` is
+// then by how much at least.
 Axis find_axis(const HullView& a, const HullView& b, Real margin, AxisCache& cache);
 
 }
