@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 struct VerifyOptions {
   std::vector<std::string> cases, set;
-  std::string solver, report;
+  std::string solver = names(Solver{})[std::size_t(Config{}.solver)], report;
   bool quick = false, full = false, list = false, json = false, strict = false;
   unsigned jobs = 0;
 
@@ -32,7 +32,7 @@ struct VerifyOptions {
     o.effort = quick ? Effort::quick : full ? Effort::full : Effort::normal;
     o.solvers.clear();
     for (int s = 0; names(Solver{})[s] != nullptr; ++s) {
-      if (solver.empty() || solver == names(Solver{})[s]) o.solvers.push_back(Solver(s));
+      if (solver == names(Solver{})[s]) o.solvers.push_back(Solver(s));
     }
     if (o.solvers.empty()) throw Error("--solver", "\"" + solver + "\" given, expected: " + choices(names(Solver{})));
     return o;
@@ -117,7 +117,7 @@ void add_verify(CLI::App& app, Action& chosen) {
   sub->add_flag("--full", v->full, "those that take long, too");
   sub->add_flag("--list", v->list, "name the cases and their parameters, run none");
   sub->add_option("--set", v->set, "parameter of the cases: NAME=VALUE; may be repeated")->allow_extra_args(false);
-  sub->add_option("--solver", v->solver, "one solver only: " + choices(names(Solver{})));
+  sub->add_option("--solver", v->solver, "by which solver: " + choices(names(Solver{})))->capture_default_str();
   add_whole(*sub, "--jobs", v->jobs, 1, 1024, "cases at once; else as many as the processor has cores");
   sub->add_option("--report", v->report, "writes pages for a browser with curves into this folder");
   sub->add_flag("--strict", v->strict, "exit 1 for every failure, those that are known, too");

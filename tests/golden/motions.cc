@@ -57,22 +57,26 @@ const Variation variations[] = {
     {"dzhanibekov", "rk4", {.config = {{"integrator", "rk4"}}}},
     {"card_house", "awake", {.config = {{"sleep", "false"}}}},
     {"wall", "four_substeps", {.config = {{"substeps", "4"}}, .seconds = 4}},
+    {"wall", "soft_step", {.config = {{"solver", "soft_step"}}, .seconds = 10}},
+    {"towers", "soft_step", {.config = {{"solver", "soft_step"}}, .seconds = 10}},
+    {"card_house", "soft_step", {.config = {{"solver", "soft_step"}}, .seconds = 10}},
+    {"vehicle", "soft_step", {.config = {{"solver", "soft_step"}}, .seconds = 4}},
 };
 
 constexpr sudar::Motion fixed = sudar::Motion::fixed, kinematic = sudar::Motion::kinematic;
 
 Vec3 vec(double x, double y, double z) { return {Real(x), Real(y), Real(z)}; }
 
-World with_floor(const Material& material) {
-  World w;
+World with_floor(const Material& material, Solver solver = Config{}.solver) {
+  World w({.solver = solver});
   w.add(Gravity{});
   w.add({.shape = half_space(), .material = material, .motion = fixed});
   return w;
 }
 
 // A heap of every kind of shape.
-World shapes() {
-  World w = with_floor({.restitution = Real(0.3), .rolling = Real(0.01), .spinning = Real(0.005)});
+World shapes(Solver solver = Config{}.solver) {
+  World w = with_floor({.restitution = Real(0.3), .rolling = Real(0.01), .spinning = Real(0.005)}, solver);
   const Shape all[] = {sphere(0.25),
                        capsule(0.2, 0.4),
                        cylinder(0.25, 0.5),
@@ -108,8 +112,8 @@ World hollows() {
 }
 
 // Beads and rods poured into a box: many contacts, of smooth bodies and edges.
-World grains() {
-  World w = with_floor({.friction_static = Real(0.4), .friction_dynamic = Real(0.3)});
+World grains(Solver solver = Config{}.solver) {
+  World w = with_floor({.friction_static = Real(0.4), .friction_dynamic = Real(0.3)}, solver);
   for (const double side : {-1.0, 1.0}) {
     w.add({.shape = box(vec(0.2, 2, 2.4)), .at = {1.1 * side, 1, 0}, .motion = fixed});
     w.add({.shape = box(vec(2.4, 2, 0.2)), .at = {0, 1, 1.1 * side}, .motion = fixed});
@@ -128,8 +132,8 @@ World grains() {
 }
 
 // What moves by itself: a belt, a rising table, a turning paddle; and a material of two given bodies.
-World driven() {
-  World w = with_floor({});
+World driven(Solver solver = Config{}.solver) {
+  World w = with_floor({}, solver);
   const Body belt =
       w.add({.shape = box(vec(6, 0.4, 2)), .at = {0, 1, 0}, .surface_velocity = vec(1.5, 0, 0), .motion = fixed});
   w.add({.shape = box(vec(2, 0.2, 2)), .at = {4.2, 0.5, 0}, .velocity = vec(0, 0.3, 0), .motion = kinematic});
@@ -225,4 +229,7 @@ int main() {
   page.motion("world driven", driven(), 6);
   page.motion("world joints", joints(), 4);
   page.motion("world forces", forces(), 10);
+  page.motion("world shapes soft_step", shapes(Solver::soft_step), 5);
+  page.motion("world grains soft_step", grains(Solver::soft_step), 3);
+  page.motion("world driven soft_step", driven(Solver::soft_step), 6);
 }
