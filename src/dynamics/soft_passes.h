@@ -70,14 +70,8 @@ class SoftPasses {
     save();
   }
   [[gnu::always_inline]] void relax(SoftRows& r) {
-    // In an impact normal and tangential impulses decide about each other at once.
-    const int sweeps = r.strikes ? 4 : 1;
-    const Vec ra = ra_, rb = rb_;
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-      ra_ = ra, rb_ = rb;
-      press_points<false>(r);
-      rub_points(r, sweep + 1 == sweeps);
-    }
+    press_points<false>(r);
+    rub_points(r);
     if (r.turning) resist_turning(r);
     save();
   }
@@ -130,7 +124,7 @@ class SoftPasses {
   }
 
   // Friction, point by point, each as far as its own normal impulse lets it hold.
-  [[gnu::always_inline]] void rub_points(SoftRows& r, bool last) {
+  [[gnu::always_inline]] void rub_points(SoftRows& r) {
     arms_of_friction(r);
     const Vec u = (on_a_.v - on_b_.v) + (cross(on_a_.w, ra_) - cross(on_b_.w, rb_));
     Vec g{dot(u, t1_) + get(r.glide_1), dot(u, t2_) + get(r.glide_2), dot(on_a_.w - on_b_.w, n_)};
@@ -150,7 +144,6 @@ class SoftPasses {
       const V d1 = next_1 - f1, d2 = next_2 - f2;
       g += response * Vec{d1, d2, x * d2 - y * d1};
     }
-    if (!last) return push({}, after - before);
     // What slips as a whole is held by dynamic friction only, from this moment on.
     const V edge = coefficient * load * wide::all<V>(Real(0.999)), dynamic = get(r.friction_dynamic);
     const auto slips = after.x * after.x + after.y * after.y > edge * edge;

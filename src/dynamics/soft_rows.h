@@ -71,7 +71,6 @@ struct SoftRows {
   std::uint32_t a[V::count]{}, b[V::count]{};      // numbers of the bodies
   std::uint32_t used = 0;                          // lanes, the first ones
   bool turning = false;                            // some contact resists turning
-  bool strikes = false;                            // some contact is hit where it did not carry before
 };
 
 // Bodies side by side in the order of their numbers: all that moves them but their velocities, which lie in SoftBody.

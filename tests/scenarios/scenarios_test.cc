@@ -6,6 +6,7 @@
 
 #include <sudar/record.h>
 
+#include <algorithm>
 #include <functional>
 
 using namespace sudar;
@@ -13,6 +14,10 @@ using namespace sudar;
 namespace {
 
 const Settings awake{.config = {{"sleep", "false"}}};
+const Settings soft{.config = {{"solver", "soft_step"}}};
+
+// Known failures of soft_step; docs/soft_step.md gives the reasons. One that begins to pass is to be struck off.
+constexpr const char* not_with_soft_step[] = {"sticks", "wheel"};
 
 // Every check has a verdict, and it is good.
 void expect_passed(const Check& check) {
@@ -26,6 +31,13 @@ void expect_passed(const Check& check) {
 void expect_passes(const ScenarioEntry& entry, const Settings& settings) {
   Session session(entry, settings);
   expect_passed(run(session));
+}
+
+void expect_passes_with_soft_step(const ScenarioEntry& entry) {
+  if (std::ranges::count(not_with_soft_step, std::string_view(entry.name)) == 0) return expect_passes(entry, soft);
+  Session session(entry, soft);
+  const auto passed = [](const Check::Entry& e) { return e.pass.value_or(false); };
+  EXPECT_FALSE(std::ranges::all_of(run(session).entries(), passed)) << "is listed as a failure, and passes";
 }
 
 // What is restored at step 100, in another instance of the scenario, has the same bits at step 200.
@@ -170,7 +182,8 @@ int main(int argc, char** argv) {
   for (const ScenarioEntry* entry : scenarios().all()) {
     add_test(*entry, "passes", [entry] { expect_passes(*entry, {}); });
     add_test(*entry, "passes_without_sleep", [entry] { expect_passes(*entry, awake); });
-    add_test(*entry, "restores", [entry] { expect_restores(*entry, {}), expect_restores(*entry, awake); });
+    add_test(*entry, "passes_with_soft_step", [entry] { expect_passes_with_soft_step(*entry); });
+    add_test(*entry, "restores", [entry] { expect_restores(*entry, {}), expect_restores(*entry, awake), expect_restores(*entry, soft); });
     add_test(*entry, "replays", [entry] { expect_replays(*entry); });
     add_test(*entry, "goes_on", [entry] { expect_goes_on(*entry); });
     add_test(*entry, "ends_of_ranges", [entry] { expect_runs_at_the_ends(*entry); });
