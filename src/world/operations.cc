@@ -283,7 +283,13 @@ void World::Impl::perform(const SetConfig& op) {
 void World::Impl::replay(const Operation& op) {
   std::visit(
       [&](const auto& o) {
-        if constexpr (!std::is_same_v<decltype(o), const std::monostate&>) operate(o);
+        if constexpr (std::is_same_v<decltype(o), const SetConfig&>) {
+          SetConfig here = o;
+          here.config.workers = config.workers;  // how many there are is the machine's
+          operate(here);
+        } else if constexpr (!std::is_same_v<decltype(o), const std::monostate&>) {
+          operate(o);
+        }
       },
       op);
 }
