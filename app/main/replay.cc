@@ -8,6 +8,7 @@
 #include "main/interrupt.h"
 #include "main/progress.h"
 #include "main/report.h"
+#include "main/scene_options.h"
 
 namespace sudar::app {
 
@@ -23,8 +24,17 @@ std::string place_of(const Divergence& d, const World& world) {
   return text + "field " + d.field;
 }
 
-int replay(const std::string& file, bool check, const Catalogue&) {
-  Replay r = load_file(file, [](Bytes bytes) { return Replay(std::move(bytes)); });
+struct Options {
+  std::string file, workers;  // empty: one
+  bool check = false;
+};
+
+int replay(const Options& o) {
+  Config machine;
+  if (!o.workers.empty()) set_field(machine, "workers", o.workers);
+  const std::string& file = o.file;
+  const bool check = o.check;
+  Replay r = load_file(file, [&](Bytes bytes) { return Replay(std::move(bytes), machine.workers); });
   const Interrupt interrupt;
   Progress progress(r.title(), double(r.steps()));
   std::optional<Divergence> divergence;
@@ -53,12 +63,11 @@ int replay(const std::string& file, bool check, const Catalogue&) {
 
 void add_replay(CLI::App& app, Action& chosen) {
   CLI::App* sub = app.add_subcommand("replay", "run a recording again");
-  const auto file = std::make_shared<std::string>();
-  const auto check = std::make_shared<bool>(false);
-  sub->add_option("file", *file, "written by sudar run --record")->required();
-  sub->add_flag("--check", *check, "compare every step; exit 1 at the first difference, and name it");
-  sub->callback(
-      [&chosen, file, check] { chosen = [file, check](const Catalogue& c) { return replay(*file, *check, c); }; });
+  const auto o = std::make_shared<Options>();
+  sub->add_option("file", o->file, "written by sudar run --record")->required();
+  sub->add_flag("--check", o->check, "compare every step; exit 1 at the first difference, and name it");
+  sub->add_option("--workers", o->workers, workers_help);
+  sub->callback([&chosen, o] { chosen = [o](const Catalogue&) { return replay(*o); }; });
 }
 
 }

@@ -42,7 +42,7 @@ void SceneOptions::add_to(CLI::App& app) {
       ->allow_extra_args(false);
   app.add_option("--dt", dt, "length of a step, s");
   app.add_option("--substeps", substeps, "parts of a step");
-  app.add_option("--workers", workers, "threads that share a step; changes no bit of the results");
+  app.add_option("--workers", workers, workers_help);
   app.add_option("--time-factor", time_factor, "simulated seconds per second of a step");
   app.add_option("--solver", solver, choices(names(Solver{})));
   app.add_option("--broad", broad, choices(names(Broad{})));

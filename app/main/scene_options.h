@@ -9,6 +9,8 @@
 
 namespace sudar::app {
 
+inline constexpr const char* workers_help = "threads that share a step; changes no bit of the results";
+
 struct SceneOptions {
   std::string scene;
   std::vector<std::string> set, config;                  // "name=value"

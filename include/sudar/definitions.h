@@ -19,15 +19,23 @@ namespace sudar::inline SUDAR_PRECISION {
 template <class T, class U>
 concept Like = std::is_same_v<std::remove_const_t<T>, U>;
 
-// What a described number may be. `above` excludes the lower end.
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+// The largest number that can be worked with; products of a mass, that is momenta and forces, may reach its square. A sum
+// of a few such squares is finite, and in double, in which shapes are compared, that of fourth powers.
+inline constexpr double greatest = sizeof(Real) == 4 ? 0x1p62 : 0x1p250;  // about 5·10¹⁸ and 2·10⁷⁵
+
+// What a described number may be, or the length of a vector. `above` excludes the lower end.
 struct Range {
-  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+  double low = -infinite, high = infinite;  // a number is finite in any case
   bool above = false;
 };
-inline constexpr double infinite = std::numeric_limits<double>::infinity();
-inline constexpr Range any{};  // any finite number
-inline constexpr Range positive{0, infinite, true};
-inline constexpr Range not_negative{0, infinite};
+inline constexpr Range any{-greatest, greatest};
+inline constexpr Range positive{0, greatest, true};
+inline constexpr Range not_negative{0, greatest};
+inline constexpr Range invertible{1 / greatest, greatest};
+// Of these the world looks at the products (src/world/physical.h).
+inline constexpr Range any_finite{};
+inline constexpr Range massive{0, infinite};
 inline constexpr Range fraction{0, 1};
 struct UnitLength {};  // a direction: must have length 1 within 1e-3
 inline constexpr UnitLength unit_length{};
@@ -98,8 +106,8 @@ void describe(V& v, T& d) {
   v("turn", d.turn, unit_length);
   v("velocity", d.velocity, any);
   v("spin", d.spin, any);
-  v("density", d.density, positive);
-  v("mass", d.mass, not_negative);
+  v("density", d.density, Range{0, infinite, true});
+  v("mass", d.mass, massive);
   v("center", d.center, any);
   v("inertia", d.inertia, any);
   v("material", d.material, any);
@@ -239,13 +247,13 @@ template <class V, Like<Pulley> T>
 void describe(V& v, T& d) {
   v("a", d.a, any), v("b", d.b, any);
   v("at_a", d.at_a, any), v("over_a", d.over_a, any), v("over_b", d.over_b, any), v("at_b", d.at_b, any);
-  v("ratio", d.ratio, positive), v("length", d.length, not_negative);
+  v("ratio", d.ratio, invertible), v("length", d.length, not_negative);
   v("collide", d.collide, any);
 }
 template <class V, Like<Reel> T>
 void describe(V& v, T& d) {
   v("a", d.a, any), v("b", d.b, any);
-  v("at_a", d.at_a, any), v("at", d.at, any), v("axis", d.axis, unit_length), v("radius", d.radius, positive);
+  v("at_a", d.at_a, any), v("at", d.at, any), v("axis", d.axis, unit_length), v("radius", d.radius, invertible);
   v("collide", d.collide, any);
 }
 template <class V, class T>
@@ -311,7 +319,7 @@ void describe(V& v, T& d) {
   v("softening", d.softening, not_negative);
 }
 template <class V, Like<Thruster> T>
-void describe(V& v, T& d) { v("body", d.body, any), v("force", d.force, any), v("at", d.at, any); }
+void describe(V& v, T& d) { v("body", d.body, any), v("force", d.force, any_finite), v("at", d.at, any_finite); }
 
 struct Wrench {
   Vec3 force, torque;  // N, N·m about a named point; world axes

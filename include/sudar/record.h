@@ -38,7 +38,9 @@ struct RecordingDifference;
 
 class Replay {
  public:
-  explicit Replay(Bytes recording);     // throws Error: not a recording, a version that is not known, cut short
+  // Throws Error: not a recording, a version that is not known, cut short. `workers`: as Config's; those of the run that
+  // was recorded were its machine's.
+  explicit Replay(Bytes recording, std::int32_t workers = 1);
   const std::string& title() const { return title_; }
   std::int64_t steps() const { return steps_; }
   bool done() const;

@@ -31,15 +31,16 @@ inline Quat free_midpoint(const Quat& q, const Vec3& angular_momentum, const Vec
 
 }
 
+inline constexpr int most_free_steps = 64;
+
 // Torque-free motion over h, in steps that turn by no more than a quarter: the midpoint's phase is late by a twelfth of
 // the angle squared, which a fast top's nutation shows (verify V06).
 inline Rotation rotate_freely(const Quat& q, const Vec3& angular_momentum, const Vec3& inertia,
                               const Vec3& inverse_inertia, Real h) {
   constexpr Real widest = Real(0.25);  // rad
-  constexpr int most = 64;
   const Vec3 spin = scale(rotate_back(q, angular_momentum), inverse_inertia);
   const Real steps = length(spin) * abs(h) / widest;
-  const int count = steps < Real(most) ? 1 + int(steps) : most;
+  const int count = steps < Real(most_free_steps) ? 1 + int(steps) : most_free_steps;
   Rotation r{q, {}};
   for (int n = 0; n < count; ++n) {
     r.orientation = detail::free_midpoint(r.orientation, angular_momentum, inertia, inverse_inertia, h / Real(count));

@@ -12,6 +12,11 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
+// Of a step, with the chosen solver.
+inline int substeps(const Config& c) {
+  return c.solver == Solver::soft_step && c.soft_step.substeps > 0 ? c.soft_step.substeps : c.substeps;
+}
+
 // A touching pair of which at least one side moves.
 struct ActiveContact {
   std::uint32_t a, b;        // body slots

@@ -157,10 +157,7 @@ struct World::Impl {
     return config.solver == Solver::impulse_2007 ? Impulse2007Solver::detects_each_substep
                                                  : SoftStepSolver::detects_each_substep;
   }
-  int substeps() const {
-    const bool own = config.solver == Solver::soft_step && config.soft_step.substeps > 0;
-    return own ? config.soft_step.substeps : config.substeps;
-  }
+  int substeps() const { return sudar::substeps(config); }
   Real contact_margin(std::uint32_t body) const;     // how near others are felt, m: the half of it that is the body's
   Real pair_margin(std::uint32_t a, std::uint32_t b) const {
     return detects_each_substep() ? contact_margin(a) : contact_margin(a) + contact_margin(b);

@@ -45,6 +45,8 @@ void check_hollows(const World::Impl& w, const BodyDef& def) {
   }
 }
 
+Surroundings around(const World::Impl& w) { return surroundings(w.forces, w.config, w.config.dt); }
+
 void insert(std::vector<std::uint32_t>& ascending, std::uint32_t i) {
   ascending.insert(std::ranges::lower_bound(ascending, i), i);
 }
@@ -53,7 +55,7 @@ void insert(std::vector<std::uint32_t>& ascending, std::uint32_t i) {
 
 Body World::Impl::perform(const AddBody& op) {
   validate("", op.def);
-  check_body(op.def);
+  check_body(op.def, around(*this));
   check_hollows(*this, op.def);
   const std::uint32_t i = bodies.add(op.def, geometry.number_of(op.def.shape));
   if (i == body_names.size()) {
@@ -115,8 +117,13 @@ void World::Impl::perform(const Push& op) {
   require(op.body, "body");
   validate("", op);
   const std::uint32_t i = op.body.index;
+  const Vec3 arm = op.at - bodies.position[i], torque = cross(arm, op.force);
+  const Real lever = min(bodies.radius[i], length(arm));
+  check_force("force", bodies, i, op.force, around(*this));
+  check_torque("force", bodies, i, cross(normalize(arm) * lever, op.force), around(*this));
+  check_torque("at", bodies, i, torque, around(*this));
   bodies.force[i] += op.force;
-  bodies.torque[i] += cross(op.at - bodies.position[i], op.force);
+  bodies.torque[i] += torque;
   pushed.push_back(i);
   wake_island(i);
 }
@@ -124,6 +131,7 @@ void World::Impl::perform(const Push& op) {
 void World::Impl::perform(const Torque& op) {
   require(op.body, "body");
   validate("", op);
+  check_torque("torque", bodies, op.body.index, op.torque, around(*this));
   bodies.torque[op.body.index] += op.torque;
   pushed.push_back(op.body.index);
   wake_island(op.body.index);
@@ -154,7 +162,7 @@ void World::Impl::perform(const SetVelocity& op) {
   require(op.body, "body");
   validate("", op);
   if (bodies.motion[op.body.index] == Motion::fixed) throw Error("body", "is fixed: it has no velocity");
-  check_spin(op.spin, bodies.inertia[op.body.index]);
+  check_velocity(bodies, op.body.index, op.velocity, op.spin, around(*this));
   bodies.set_velocity(op.body.index, op.velocity, op.spin);
   if (bodies.motion[op.body.index] == Motion::kinematic && bodies.moves(op.body.index)) enlist(op.body.index);
   wake_island(op.body.index);
@@ -242,6 +250,11 @@ ForceId World::Impl::perform(const AddForce& op) {
         }
       },
       op.def);
+  if (const auto* more = std::get_if<Gravity>(&op.def)) {
+    Surroundings heavier = around(*this);
+    heavier.gravity = double(length(gravity(forces) + more->acceleration));
+    check_surroundings("acceleration", bodies, heavier);
+  }
   wake_all();
   return forces.slots.handle<ForceTag>(forces.add(op.def));
 }
@@ -271,6 +284,8 @@ void World::Impl::perform(const RemoveSensor& op) {
 
 void World::Impl::perform(const SetConfig& op) {
   validate("", op.config);
+  check_config(op.config);
+  check_surroundings(name_of_step(op.config), bodies, surroundings(forces, op.config, op.config.dt));
   const bool other_broad = op.config.broad != config.broad;
   config = op.config;
   wake_all();
@@ -284,7 +299,13 @@ void World::Impl::perform(const SetConfig& op) {
 void World::Impl::replay(const Operation& op) {
   std::visit(
       [&](const auto& o) {
-        if constexpr (!std::is_same_v<decltype(o), const std::monostate&>) operate(o);
+        if constexpr (std::is_same_v<decltype(o), const SetConfig&>) {
+          SetConfig here = o;
+          here.config.workers = config.workers;  // how many there are is the machine's
+          operate(here);
+        } else if constexpr (!std::is_same_v<decltype(o), const std::monostate&>) {
+          operate(o);
+        }
       },
       op);
 }

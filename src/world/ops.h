@@ -39,13 +39,13 @@ void describe(V& v, T& o) { v("force", o.force, any); }
 template <class V, Like<RemoveSensor> T>
 void describe(V& v, T& o) { v("sensor", o.sensor, any); }
 template <class V, Like<Push> T>
-void describe(V& v, T& o) { v("body", o.body, any), v("force", o.force, any), v("at", o.at, any); }
+void describe(V& v, T& o) { v("body", o.body, any), v("force", o.force, any_finite), v("at", o.at, any); }
 template <class V, Like<Place> T>
 void describe(V& v, T& o) { v("body", o.body, any), v("at", o.at, any), v("turn", o.turn, unit_length); }
 template <class V, Like<SetVelocity> T>
 void describe(V& v, T& o) { v("body", o.body, any), v("velocity", o.velocity, any), v("spin", o.spin, any); }
 template <class V, Like<Torque> T>
-void describe(V& v, T& o) { v("body", o.body, any), v("torque", o.torque, any); }
+void describe(V& v, T& o) { v("body", o.body, any), v("torque", o.torque, any_finite); }
 template <class V, Like<SetDrive> T>
 void describe(V& v, T& o) { v("joint", o.joint, any), v("drive", o.drive, any); }
 template <class V, Like<SetConfig> T>

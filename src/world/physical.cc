@@ -1,21 +1,67 @@
 #include "world/physical.h"
 
 #include "base/text.h"
+#include "dynamics/rotation.h"
+#include "dynamics/solve.h"
 #include "geometry/principal.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
 // --- bodies ---
 
-void check_spin(const Vec3& spin, const Vec3& inertia) {
-  if (!std::isfinite(length(spin)) || !std::isfinite(length(spin) * max_component(inertia))) {
-    throw Error("spin", "makes an angular momentum that the precision cannot hold");
-  }
-}
-
 namespace {
 
-void check_mass(const BodyDef& def) {
+constexpr double greatest_product = greatest * greatest;
+
+// A body's motion as sizes, and what its mass makes of it over the coming step.
+struct Load {
+  double mass = 0, inverse_mass = 0;                   // kg; of what no force moves: 0
+  double largest_moment = 0, inverse_smallest_moment = 0;  // kg m²
+  double speed = 0, spin = 0;                          // m/s, rad/s
+  double force = 0, torque = 0;                        // N, N m; without gravity
+
+  // Momentum and energy, over m or kg m².
+  static bool motion_fits(double inertia, double speed) {
+    return speed <= greatest && inertia * speed <= greatest_product && inertia * speed * speed <= greatest_product;
+  }
+  bool way_fits(const Surroundings& around) const {
+    const double fastest = speed + (force * inverse_mass + (mass > 0 ? around.gravity : 0)) * around.step;
+    return mass * around.gravity + force <= greatest_product && motion_fits(mass, fastest) &&
+           fastest * around.step <= greatest;
+  }
+  // A turn is found by a determinant, in which half of each part of it stands to the third power (dynamics/rotation.h).
+  bool turn_fits(const Surroundings& around) const {
+    const double fastest = spin + torque * inverse_smallest_moment * around.step;
+    const double turn = fastest * around.sub_step / (2 * most_free_steps);
+    return torque <= greatest_product && motion_fits(largest_moment, fastest) &&
+           (mass == 0 || turn * turn * turn <= greatest_product);
+  }
+};
+
+template <class T>
+double size(const Vec3T<T>& v) {
+  return length(convert<double>(v));
+}
+
+Load load_of(const Bodies& b, std::uint32_t i) {
+  Load load{.speed = size(b.velocity[i]), .spin = size(b.spin[i])};
+  if (!b.dynamic(i)) return load;
+  load.mass = double(b.mass[i]), load.inverse_mass = double(b.inverse_mass[i]);
+  load.largest_moment = double(max_component(b.inertia[i]));
+  load.inverse_smallest_moment = double(max_component(b.inverse_inertia[i]));
+  load.force = size(b.force[i]), load.torque = size(b.torque[i]);
+  return load;
+}
+
+constexpr const char* too_fast = "makes a speed, momentum, energy or way in a step that the precision cannot hold";
+constexpr const char* too_fast_a_spin = "makes a spin, angular momentum or turn in a step that the precision cannot hold";
+
+void check_velocity(const Load& load, const Surroundings& around) {
+  if (!load.way_fits(around)) throw Error("velocity", too_fast);
+  if (!load.turn_fits(around)) throw Error("spin", too_fast_a_spin);
+}
+
+void check_mass(const BodyDef& def, const Surroundings& around) {
   const double density = density_of(def);
   const MassProperties m = mass_properties(def);
   const auto fits = [](double x) { return std::isfinite(Real(x)) && Real(x) > 0 && std::isfinite(1 / Real(x)); };
@@ -31,12 +77,22 @@ void check_mass(const BodyDef& def) {
   if (def.inertia && largest > 1.001 * (moments.x + moments.y + moments.z - largest)) {
     throw Error("inertia", "is of no body: a principal moment is greater than the sum of the others");
   }
-  check_spin(def.spin, def.motion == Motion::dynamic ? convert<Real>(moments) : Vec3{});
+  Load load{.speed = size(def.velocity), .spin = size(def.spin)};
+  if (def.motion == Motion::dynamic) {
+    const double smallest = min(min(moments.x, moments.y), moments.z);
+    load.mass = density * m.volume, load.inverse_mass = 1 / load.mass;
+    load.largest_moment = largest, load.inverse_smallest_moment = 1 / smallest;
+    if (load.mass * max(1.0, around.gravity) > greatest_product) {
+      throw Error(def.mass > 0 ? "mass" : "density",
+                  "makes a mass of " + text(load.mass) + " kg, whose weight the precision cannot hold");
+    }
+  }
+  check_velocity(load, around);
 }
 
 }
 
-void check_body(const BodyDef& def) {
+void check_body(const BodyDef& def, const Surroundings& around) {
   const bool massive = has_mass(def.shape.kind());
   if (!massive && def.motion != Motion::fixed) {
     throw Error("motion", "must be fixed: a half space or a hollow has no mass");
@@ -45,11 +101,58 @@ void check_body(const BodyDef& def) {
     throw Error(def.velocity != Vec3{} ? "velocity" : "spin", "must be zero: the body is fixed");
   }
   if (massive) {
-    check_mass(def);
+    check_mass(def, around);
   } else if (def.center || def.inertia) {
     throw Error(def.center ? "center" : "inertia", "is given, but a half space or a hollow has none");
   }
 }
+
+void check_velocity(const Bodies& b, std::uint32_t i, const Vec3& velocity, const Vec3& spin, const Surroundings& around) {
+  Load load = load_of(b, i);
+  load.speed = size(velocity), load.spin = size(spin);
+  check_velocity(load, around);
+}
+
+void check_force(const char* field, const Bodies& b, std::uint32_t i, const Vec3& force, const Surroundings& around) {
+  Load load = load_of(b, i);
+  load.force = size(convert<double>(b.force[i]) + convert<double>(force));
+  if (!load.way_fits(around)) throw Error(field, too_fast);
+}
+
+void check_torque(const char* field, const Bodies& b, std::uint32_t i, const Vec3& torque, const Surroundings& around) {
+  Load load = load_of(b, i);
+  load.torque = size(convert<double>(b.torque[i]) + convert<double>(torque));
+  if (!load.turn_fits(around)) throw Error(field, too_fast_a_spin);
+}
+
+void check_surroundings(const char* field, const Bodies& b, const Surroundings& around) {
+  if (!(around.gravity * square(around.step) <= greatest)) throw Error(field, too_fast);
+  for (std::uint32_t i = 0; i < b.size(); ++i) {
+    if (!b.slots.used(i) || b.quarantined[i] != 0) continue;
+    const Load load = load_of(b, i);
+    if (!load.way_fits(around)) throw Error(field, too_fast);
+    if (!load.turn_fits(around)) throw Error(field, too_fast_a_spin);
+  }
+}
+
+Surroundings surroundings(const Forces& forces, const Config& config, double dt) {
+  const double step = dt * double(config.time_factor);
+  return {size(gravity(forces)), step, step / substeps(config)};
+}
+
+void check_step(const char* field, const Surroundings& around) {
+  if (!(around.sub_step > 0) || !std::isnormal(Real(around.sub_step)) || !(around.step <= greatest)) {
+    throw Error(field, "makes a sub-step of " + text(around.sub_step) + " s, which the precision cannot hold");
+  }
+}
+
+const char* name_of_step(const Config& config) {
+  const double factor = double(config.time_factor);
+  const bool long_step = config.dt * factor > 1, greater_factor = factor > config.dt;
+  return long_step == greater_factor ? "time_factor" : "dt";
+}
+
+void check_config(const Config& config) { check_step(name_of_step(config), surroundings({}, config, config.dt)); }
 
 // --- joints ---
 

@@ -130,7 +130,8 @@ std::int64_t count_whole_steps(Reader r) {
 
 bool Replay::begins(std::span<const std::byte> file) { return has_magic(file, magic) || has_magic(file, open_magic); }
 
-Replay::Replay(Bytes recording) : data_(std::move(recording)) {
+Replay::Replay(Bytes recording, std::int32_t workers)
+    : data_(std::move(recording)), world_(Config{.workers = workers}) {
   cut_off_ = has_magic(data_, open_magic);
   Reader r(data_);
   read_header(r, cut_off_ ? open_magic : magic, layout_of_recording(), "a recording");

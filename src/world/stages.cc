@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "base/timer.h"
 #include "dynamics/rest.h"
+#include "world/physical.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -371,17 +372,16 @@ void sense(World::Impl& w, double dt) {
 
 void World::Impl::step(double dt) {
   const FloatState defaults;
-  const double simulated = dt * double(config.time_factor), sub_step = simulated / substeps();
-  if (!(sub_step > 0) || !std::isnormal(Real(sub_step))) {
-    throw Error("dt", "makes a sub-step of " + text(sub_step) + " s, which the precision cannot hold");
-  }
+  const Surroundings around = surroundings(forces, config, dt);
+  check_step("dt", around);
+  if (dt > config.dt) check_surroundings("dt", bodies, around);  // else its sources were checked
   events = {};
   outcome.clear();
   profile.stages.clear();
   stage_hashes.clear();
   for (const Stage& stage : stages) profile.stages.push_back({stage.name, 0});
   last_dt = dt;
-  h = sub_step;  // thesis (3.4)
+  h = around.sub_step;  // thesis (3.4)
   const int rounds = detects_each_substep() ? substeps() : 1;
   for (int n = 0; n < rounds; ++n) {
     for (std::size_t s = 0; s < std::size(stages); ++s) {
@@ -393,8 +393,8 @@ void World::Impl::step(double dt) {
   }
   for (const std::uint32_t i : pushed) bodies.force[i] = bodies.torque[i] = {};
   pushed.clear();
-  sense(*this, simulated);
-  if (simulated != clock_step) clock_start = time(), clock_steps = 0, clock_step = simulated;
+  sense(*this, around.step);
+  if (around.step != clock_step) clock_start = time(), clock_steps = 0, clock_step = around.step;
   ++clock_steps;
   ++steps;
   profile.contacts = std::int64_t(active_contacts.size());

@@ -44,8 +44,10 @@ class Validator {
   }
   template <class V>
     requires(std::is_same_v<V, Vec3> || std::is_same_v<V, Pos>)
-  void operator()(const char* name, const V& v, const Range&) {
+  void operator()(const char* name, const V& v, const Range& range) {
     if (!is_finite(v)) fail(name, "is not finite");
+    const double size = length(Vec3d{double(v.x), double(v.y), double(v.z)});
+    if (size > range.high) fail(name, "has length " + text(size) + ", must be at most " + text(range.high));
   }
   void operator()(const char* name, const Vec3& v, const UnitLength&) {
     if (!is_finite(v) || abs(length(v) - 1) > Real(1e-3))
@@ -80,13 +82,14 @@ class Validator {
   void number(const char* name, double x, const Range& range) const {
     if (std::isnan(x) || std::isinf(x)) fail(name, "is not finite");
     if (x < range.low || x > range.high || (range.above && x == range.low)) {
-      fail(name, "is " + text(double(x)) + ", must be " + allowed(range));
+      fail(name, "is " + text(x) + ", must be " + allowed(range, x));
     }
   }
-  static std::string allowed(const Range& r) {
+  static std::string allowed(const Range& r, double x) {
     const std::string low = text(r.low), high = text(r.high);
-    if (r.high == infinite) return r.above ? "above " + low : "at least " + low;
-    return "within " + low + " and " + high;
+    if (r.high < greatest) return "within " + low + " and " + high;
+    if (x > r.high) return "at most " + high;
+    return (r.above ? "above " : "at least ") + low;
   }
   std::string path_;
 };

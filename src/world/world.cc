@@ -6,6 +6,7 @@
 
 #include "dynamics/integrate.h"
 #include "world/impl.h"
+#include "world/physical.h"
 #include "world/validate.h"
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -22,6 +23,7 @@ World::Impl::Impl(const Config& c, std::uint32_t n) : config(c), number(n) {
 
 World::World(const Config& config) {
   validate("", config);
+  check_config(config);
   impl_ = std::make_unique<Impl>(config, new_world_number());
 }
 World::Inside& World::Inside::operator=(std::unique_ptr<Impl> p) { return p_ = std::move(p), *this; }

@@ -307,6 +307,11 @@ TEST_F(Cli, ARecordingReplaysAndADamagedOneDoesNot) {
   const Result good = sudar("replay tape --check");
   EXPECT_EQ(good.code, 0) << good.out << good.err;
   EXPECT_NE(good.out.find("cradle"), std::string::npos);
+  const Result shared = sudar("replay tape --check --workers 3");
+  EXPECT_EQ(shared.out, good.out) << shared.err;
+  const Result none = sudar("replay tape --workers 0");
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("workers"), std::string::npos) << none.err;
   fs::resize_file(folder / "tape", fs::file_size(folder / "tape") / 2);
   EXPECT_EQ(sudar("replay tape --check").code, 2);
 }

@@ -1,5 +1,5 @@
 // Many islands that collide, hang on each other, fly apart and fall asleep, shared by several threads.
-#include <sudar/world.h>
+#include <sudar/record.h>
 
 #include "unit/worlds.h"
 
@@ -52,6 +52,28 @@ TEST(Workers, AreNoPartOfTheState) {
   EXPECT_EQ(three.config().workers, 3);
   step(one, 20), step(three, 20);
   EXPECT_EQ(one.hash(), three.hash());
+}
+
+// A recording replays with the workers of the machine that replays it, settings changed on the way or not.
+TEST(Workers, AreNoPartOfARecording) {
+  World w = heaps(2);
+  Recorder recorder(w, "heaps");
+  for (int i = 0; i < 20; ++i) {
+    if (i == 10) {
+      Config c = w.config();
+      c.substeps = 3;
+      w.set_config(c);
+    }
+    w.step(), recorder.after_step();
+  }
+  for (const int workers : {1, 3}) {
+    Replay replay(recorder.bytes(), workers);
+    while (!replay.done()) ASSERT_FALSE(replay.step());
+    EXPECT_EQ(replay.world().config().workers, workers);
+    EXPECT_EQ(replay.world().config().substeps, 3);
+    EXPECT_EQ(replay.world().hash(), w.hash());
+  }
+  EXPECT_THROW(Replay(recorder.bytes(), 0), Error);
 }
 
 }
