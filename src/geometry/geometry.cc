@@ -110,6 +110,31 @@ Vec3 disc_reach(const Vec3& axis) {
 
 }
 
+Real inner_radius(const Geometry& g) {
+  switch (g.kind) {
+    case ShapeKind::hull: {
+      Real least = std::numeric_limits<Real>::infinity();
+      for (const Polyhedron::Face& f : g.hull.faces) {
+        least = min(least, f.offset - dot(f.normal, convert<Real>(g.mass.center)));
+      }
+      return max(least, Real(0));
+    }
+    case ShapeKind::sphere:
+    case ShapeKind::capsule:
+      return g.radius;
+    case ShapeKind::cylinder:
+      return min(g.radius, g.half_length);
+    case ShapeKind::cone: {  // the centre is a quarter of the height above the base
+      const Real height = 2 * g.half_length, slope = sqrt(square(g.radius) + square(height));
+      return min(height / 4, Real(0.75) * height * g.radius / slope);
+    }
+    case ShapeKind::ellipsoid:
+      return min(min(g.radii.x, g.radii.y), g.radii.z);
+    default:
+      return 0;
+  }
+}
+
 Box bounds(const Geometry& g, const Pose& pose, Real margin) {
   Vec3 low, high;
   switch (g.kind) {

@@ -22,6 +22,9 @@ struct Geometry {
 // vertices and loops) fills the rest. Throws Error naming the field if the data is no body.
 std::shared_ptr<const Geometry> make_geometry(Geometry&& plain);
 
+// Of a ball about the centre of mass of the geometry, wholly inside; 0 where it has none. Not for what is hollow.
+Real inner_radius(const Geometry&);
+
 // The smallest box around the geometry at `pose`, widened by `margin`. Infinite for a half space.
 Box bounds(const Geometry&, const Pose& pose, Real margin);
 

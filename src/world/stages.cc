@@ -6,6 +6,7 @@
 #include "base/text.h"
 #include "base/timer.h"
 #include "dynamics/rest.h"
+#include "world/crowds.h"
 #include "world/physical.h"
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -70,15 +71,34 @@ void end_pairs(World::Impl& w) {
 
 }
 
+namespace {
+
+// What was appended last is often the only part that is not in order.
+template <class T>
+void sort_once(std::vector<T>& list) {
+  const auto rest = std::is_sorted_until(list.begin(), list.end());
+  std::sort(rest, list.end());
+  std::inplace_merge(list.begin(), rest, list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+}
+
 void find_pairs(World::Impl& w) {
   w.settle_boxes();
   if (w.searched.empty()) return;
-  std::sort(w.searched.begin(), w.searched.end());
-  w.searched.erase(std::unique(w.searched.begin(), w.searched.end()), w.searched.end());
+  sort_once(w.searched);
   find_plane_pairs(w.planes, w.proxies, w.searched, w.found);
-  std::sort(w.found.begin(), w.found.end());
+  sort_once(w.found);
+  std::vector<std::uint32_t> partners;  // that `of` has already, ascending
+  std::uint32_t of = no_body;
   for (const ProxyPair& key : w.found) {
-    if (w.pairs.find(key) != PairTable::none || w.forbidden(key)) continue;
+    if (key.a != of) {
+      of = key.a, partners.clear();
+      w.pairs.each(of, [&](std::uint32_t p) { partners.push_back(w.pairs[p].key.b); });
+      std::sort(partners.begin(), partners.end());
+    }
+    if (std::binary_search(partners.begin(), partners.end(), key.b) || w.forbidden(key)) continue;
     if (!goes_on(key, w.proxies, w.planes)) continue;  // was found, but moved on since
     const std::uint32_t pair = w.pairs.add(key);
     if (can_change(w.bodies, key)) w.pairs.activate(pair);
@@ -127,8 +147,8 @@ void collide(World::Impl& w, std::uint32_t p) {
   const std::uint32_t a = watch.a, b = watch.b;
   const Real margin = w.pair_margin(a, b);
   const double way = w.way[a] + w.way[b];
-  w.looked_at[p] = watch.rests(way, double(margin)) ? 0 : 1;
-  if (w.looked_at[p] == 0) return;
+  if (watch.rests(way, double(margin))) return;
+  w.looked_at[p] = 1;
   PairRow& row = w.pairs[p];
   if (!w.detects_each_substep() && keep_manifold(w, row, margin)) return;
   const Real apart = collide_pair(row, *w.geometries[a], w.shape_poses[a], *w.geometries[b], w.shape_poses[b], margin);
@@ -146,7 +166,8 @@ void collide(World::Impl& w) {
   });
   wake_carried(w);
   std::vector<std::uint32_t> round = w.pairs.settle([&](const ProxyPair& key) { return can_change(b, key); });
-  w.looked_at.resize(w.pairs.rows().size());
+  w.looked_at.assign(w.pairs.rows().size(), 0);
+  thin_crowds(w, round);
   while (!round.empty()) {
     w.pool->for_ranges(std::uint32_t(round.size()), 16, [&](std::uint32_t, std::uint32_t first, std::uint32_t end) {
       for (std::uint32_t k = first; k < end; ++k) collide(w, round[k]);
