@@ -158,10 +158,10 @@ struct World::Impl {
                                                  : SoftStepSolver::detects_each_substep;
   }
   int substeps() const { return sudar::substeps(config); }
-  Real contact_margin(std::uint32_t body) const;     // how near others are felt, m: the half of it that is the body's
-  Real pair_margin(std::uint32_t a, std::uint32_t b) const {
-    return detects_each_substep() ? contact_margin(a) : contact_margin(a) + contact_margin(b);
-  }
+  Real step_length() const { return Real(config.dt * double(config.time_factor)); }  // simulated s
+  Real contact_margin(std::uint32_t body) const;     // how near a body at rest is felt, m
+  Real pair_margin(std::uint32_t a, std::uint32_t b) const;  // how near two must be to get a contact
+  Vec3 coming_way(std::uint32_t body) const;
   void settle_boxes();                               // tells the broad phase of all changes
   bool renew_box(std::uint32_t body, bool force);    // keeps the fat box around the body; whether it is another one
   void touch_proxy(std::uint32_t body, bool force);  // the same, and notes a change

@@ -22,14 +22,39 @@ void World::Impl::settle_boxes() {
   changed.clear();
 }
 
-// The margin of a pair is the sum of its bodies' margins. Who is looked at once a step must be seen before it arrives.
 Real World::Impl::contact_margin(std::uint32_t i) const {
   const Real unit = config.length_unit;
   if (detects_each_substep()) return config.impulse_2007.slop * unit;
   const Real near = Real(0.01) * unit;
-  if (!bodies.moves(i) || !(bodies.radius[i] > 0)) return near;
-  const Real way = length(bodies.velocity[i]) * Real(config.dt * double(config.time_factor));
-  return min(near, Real(0.125) * bodies.radius[i]) + min(way, bodies.radius[i]);
+  return bodies.dynamic(i) ? min(near, Real(0.125) * bodies.radius[i]) : near;
+}
+
+// Who is looked at once a step must be seen before it arrives.
+Real World::Impl::pair_margin(std::uint32_t a, std::uint32_t b) const {
+  if (detects_each_substep()) return contact_margin(a);
+  Real farthest = std::numeric_limits<Real>::infinity();  // a thin body sees no farther than it is thick
+  for (const std::uint32_t i : {a, b}) {
+    if (bodies.dynamic(i)) farthest = min(farthest, bodies.radius[i]);
+  }
+  const Real way = length(bodies.velocity[a] - bodies.velocity[b]) * step_length();
+  return contact_margin(a) + contact_margin(b) + min(way, farthest);
+}
+
+// The way of the coming step, m; none where contacts are looked for again before a body gets far.
+Vec3 World::Impl::coming_way(std::uint32_t i) const {
+  if (detects_each_substep()) return {};
+  const Vec3 way = bodies.velocity[i] * step_length();
+  const Real far = length(way), most = 4 * bodies.radius[i];
+  return bodies.dynamic(i) && far > most ? way * (most / far) : way;
+}
+
+namespace {
+
+Box stretched(Box box, const Vec3& along) {
+  for (int k = 0; k < 3; ++k) (along[k] < 0 ? box.low : box.high)[k] += double(along[k]);
+  return box;
+}
+
 }
 
 bool World::Impl::renew_box(std::uint32_t i, bool force) {
@@ -43,9 +68,11 @@ bool World::Impl::renew_box(std::uint32_t i, bool force) {
   way[i] += double(length(pose.p - before.p)) + 2 * double(length(turn.vector()) * geometry_of(i).bounding_radius);
   // The box holds the margin within which contacts are made, and room to move before it must be renewed.
   const Real margin = contact_margin(i);
-  if (!force && contains(proxy.box, bounds(geometry_of(i), pose, margin))) return false;
+  const Vec3 way = coming_way(i);
+  if (!force && contains(proxy.box, stretched(bounds(geometry_of(i), pose, margin), way))) return false;
   const Real room = min(Real(0.125) * bodies.radius[i], Real(0.05) * config.length_unit);
-  proxy.box = bounds(geometry_of(i), pose, margin + room);
+  constexpr Real steps = 3;  // for which the box should do
+  proxy.box = stretched(bounds(geometry_of(i), pose, margin + room), way * steps);
   return true;
 }
 
