@@ -18,14 +18,13 @@ class ScenarioTest : public testing::Test {
   Run run_;
 };
 
-// Runs `run` as the test NAME.same_bits of every scenario; what main() returns.
-inline int test_every_scenario(int argc, char** argv, ScenarioTest::Run run) {
+// Runs `run` as the test NAME.what of every scenario; what main() returns.
+inline int test_every_scenario(int argc, char** argv, ScenarioTest::Run run, const char* what = "same_bits") {
   testing::InitGoogleTest(&argc, argv);
   for (const ScenarioEntry* entry : scenarios().all()) {
-    testing::RegisterTest(entry->name, "same_bits", nullptr, nullptr, __FILE__, __LINE__,
+    testing::RegisterTest(entry->name, what, nullptr, nullptr, __FILE__, __LINE__,
                           [entry, run]() -> testing::Test* { return new ScenarioTest(*entry, run); });
   }
   return RUN_ALL_TESTS();
 }
-
 }
