@@ -11,25 +11,24 @@ template <int W>
 class SoftPasses {
  public:
   static constexpr SoftPassTable table() {
-    using Motions = SoftMotions<W>;
     return {W,
             [](SoftMotion* motions, std::size_t n, SoftBody* bodies, const PassSettings& set) {
-              each(motions, n, [&](SoftMotion& m, int first) { Motions(first, bodies, set).begin(m); });
+              each(motions, n, [&]<int w>(SoftMotion& m, int first) { SoftMotions<w>(first, bodies, set).begin(m); });
             },
             [](SoftMotion* motions, std::size_t n, SoftBody* bodies, const PassSettings& set) {
-              each(motions, n, [&](SoftMotion& m, int first) { Motions(first, bodies, set).drift(m); });
+              each(motions, n, [&]<int w>(SoftMotion& m, int first) { SoftMotions<w>(first, bodies, set).drift(m); });
             },
             [](SoftMotion* motions, std::size_t n, SoftBody* bodies, const PassSettings& set) {
-              each(motions, n, [&](SoftMotion& m, int first) { Motions(first, bodies, set).settle(m); });
+              each(motions, n, [&]<int w>(SoftMotion& m, int first) { SoftMotions<w>(first, bodies, set).settle(m); });
             },
             [](const SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
-              each(rows, n, [&](const SoftRows& r, int first) { SoftPasses(r, first, bodies, set).warm(r); });
+              each(rows, n, [&]<int w>(const SoftRows& r, int first) { SoftPasses<w>(r, first, bodies, set).warm(r); });
             },
             [](SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
-              each(rows, n, [&](SoftRows& r, int first) { SoftPasses(r, first, bodies, set).solve(r); });
+              each(rows, n, [&]<int w>(SoftRows& r, int first) { SoftPasses<w>(r, first, bodies, set).solve(r); });
             },
             [](SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
-              each(rows, n, [&](SoftRows& r, int first) { SoftPasses(r, first, bodies, set).relax(r); });
+              each(rows, n, [&]<int w>(SoftRows& r, int first) { SoftPasses<w>(r, first, bodies, set).relax(r); });
             }};
   }
 
@@ -42,14 +41,28 @@ class SoftPasses {
     Symmetric3<V> inverse_inertia;
   };
 
-  // Every W lanes in use.
+  struct Way {
+    Vec shift, turn;
+  };
+
+  // Every W lanes in use; fewer where few are left.
   template <class Rows, class Visit>
   [[gnu::always_inline]] static void each(Rows* rows, std::size_t n, Visit visit) {
     for (Rows* r = rows; r != rows + n; ++r) {
-      for (int first = 0; first < int(r->used); first += W) visit(*r, first);
+      const int used = int(r->used);
+      for (int first = 0; first < used; first += W) {
+        const int left = used - first;
+        if (W > 4 && left <= 4) visit.template operator()<smaller<W, 4>>(*r, first);
+        else if (W > 8 && left <= 8) visit.template operator()<smaller<W, 8>>(*r, first);
+        else visit.template operator()<W>(*r, first);
+      }
     }
   }
+  template <int a, int b>
+  static constexpr int smaller = a < b ? a : b;
 
+  template <int>
+  friend class SoftPasses;
   [[gnu::always_inline]] SoftPasses(const SoftRows& r, int first, SoftBody* bodies, const PassSettings& set)
       : first_(first), bodies_(bodies), set_(set), a_(r.a + first), b_(r.b + first), n_(get(r.n)), t1_(get(r.t1)),
         t2_(cross(n_, t1_)), ra_(get(r.ra)), rb_(get(r.rb)), on_a_(load_velocity(a_)), on_b_(load_velocity(b_)) {}
@@ -84,8 +97,8 @@ class SoftPasses {
 
   template <bool undo_overlap>
   [[gnu::always_inline]] void press_points(SoftRows& r) {
-    const Way a = load_way(a_), b = load_way(b_);
-    const Vec moved = pressing(a.shift, a.turn, b.shift, b.turn);
+    way_a_ = load_way(a_), way_b_ = load_way(b_);
+    const Vec moved = pressing(way_a_.shift, way_a_.turn, way_b_.shift, way_b_.turn);
     Vec g = pressing(on_a_.v, on_a_.w, on_b_.v, on_b_.w);
     const Symmetric3<V> response = get(r.press);
     const V per_h = wide::all<V>(1 / set_.h), zero{}, lift = get(r.lift);
@@ -159,7 +172,7 @@ class SoftPasses {
   // along, and from there on the other. Friction that asked for velocities where the contact was would send what is
   // carried round in circles outwards.
   [[gnu::always_inline]] void arms_of_friction(const SoftRows& r) {
-    const Way a = load_way(a_), b = load_way(b_);
+    const Way &a = way_a_, &b = way_b_;
     const V half = wide::all<V>(set_.h * Real(-0.5)), two = wide::all<V>(2);
     const auto of_a = get(r.owned_by_a) > V{};
     const V angle = of_a ? dot(a.turn + on_a_.w * half, n_) : dot(b.turn + on_b_.w * half, n_);
@@ -219,9 +232,6 @@ class SoftPasses {
   [[gnu::always_inline]] wide::Fours<W> load(const std::uint32_t* numbers, Member SoftBody::* member) const {
     return wide::load<W>([&](int lane) { return static_cast<const void*>(&(bodies_[numbers[lane]].*member)); });
   }
-  struct Way {
-    Vec shift, turn;
-  };
   [[gnu::always_inline]] Way load_way(const std::uint32_t* n) const {
     const auto shift = load(n, &SoftBody::shift), turn = load(n, &SoftBody::turn);
     return {{shift.x, shift.y, shift.z}, {turn.x, turn.y, turn.z}};
@@ -251,6 +261,7 @@ class SoftPasses {
   const std::uint32_t *a_, *b_;
   Vec n_, t1_, t2_, ra_, rb_;
   Side on_a_, on_b_;
+  Way way_a_, way_b_;  // since the step began
 };
 
 }
