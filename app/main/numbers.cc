@@ -21,8 +21,10 @@ std::string text(double x) {
   return buffer;
 }
 
-std::string expected(const Range& r) {
-  const bool low = std::isfinite(r.low), high = std::isfinite(r.high);
+// Bounds that only the largest numbers reach are worth telling to whom has given one.
+std::string expected(const Range& r, bool given_a_number) {
+  const auto tells = [&](double bound) { return std::isfinite(bound) && (given_a_number || std::abs(bound) < greatest); };
+  const bool low = tells(r.low), high = tells(r.high);
   if (low && high) return "a number from " + text(r.low) + " to " + text(r.high);
   if (low) return std::string("a number ") + (r.above ? "above " : "from ") + text(r.low) + (r.above ? "" : " on");
   return "a number";
@@ -32,9 +34,9 @@ std::string expected(const Range& r) {
 
 double parse_number(const std::string& what, const std::string& given, const Range& range) {
   double x = 0;
-  const bool good = read_all(given, x) && std::isfinite(x) && x >= range.low && x <= range.high &&
-                    !(range.above && x == range.low);
-  if (!good) throw Error(what, "\"" + given + "\" given, " + expected(range) + " expected");
+  const bool number = read_all(given, x) && std::isfinite(x);
+  const bool good = number && x >= range.low && x <= range.high && !(range.above && x == range.low);
+  if (!good) throw Error(what, "\"" + given + "\" given, " + expected(range, number) + " expected");
   return x;
 }
 

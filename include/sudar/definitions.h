@@ -403,6 +403,8 @@ struct SoftStep {
   Real contact_damping = 10;     // ratio ζ
   Real push_speed = 3;           // overlap is undone no faster, m/s · length_unit
   bool carry_loads = true;       // soft contacts do not sink under what they carry
+  Real joint_frequency = 60;     // Hz, of joints too many to be solved exactly; at most a quarter of the sub-steps' rate
+  Real joint_damping = 2;        // ratio ζ
   std::int32_t lanes = 0;        // contacts solved side by side, at most; 0: as many as the processor can; changes no bit
 };
 template <class V, Like<SoftStep> T>
@@ -410,6 +412,7 @@ void describe(V& v, T& d) {
   v("substeps", d.substeps, Range{0, 10000});
   v("contact_frequency", d.contact_frequency, positive), v("contact_damping", d.contact_damping, not_negative);
   v("push_speed", d.push_speed, not_negative), v("carry_loads", d.carry_loads, any);
+  v("joint_frequency", d.joint_frequency, positive), v("joint_damping", d.joint_damping, not_negative);
   v("lanes", d.lanes, Range{0, 16});
 }
 

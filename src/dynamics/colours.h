@@ -46,6 +46,21 @@ class Colours {
     for (std::uint32_t k = 0; k < count; ++k) order_[next[colour_[k]]++] = k;
   }
 
+  // visit(contact, group, lane) in the order of solving: groups of at most `lanes` that share no body.
+  template <class Visit>
+  void each_group(std::uint32_t lanes, Visit visit) const {
+    std::uint32_t group = 0;
+    for (std::uint32_t colour = 0; colour <= colours; ++colour) {
+      const std::uint32_t most = colour == crowded ? 1 : lanes;
+      std::uint32_t lane = 0;
+      for (const std::uint32_t k : of(colour)) {
+        if (lane == most) lane = 0, ++group;
+        visit(k, group, lane++);
+      }
+      if (lane > 0) ++group;
+    }
+  }
+
   static constexpr std::uint32_t half = 64, colours = 2 * half;
   static constexpr std::uint32_t crowded = 0;  // what found no colour: one after the other, first
   // The contacts of a colour, ascending.

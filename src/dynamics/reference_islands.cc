@@ -5,7 +5,11 @@
 namespace sudar::inline SUDAR_PRECISION {
 
 bool ReferenceIslands::belongs(const StepView& in, const Island& island) {
-  if (island.joints.count > 0) return true;
+  constexpr std::size_t many = 1000;  // hold better by passes, but who has the time?
+  const auto is_soft = [&](std::uint32_t j) {
+    return std::holds_alternative<Ball>(in.joint_state.definition[j]) && in.joint_graph.component(j).joints.size() > many;
+  };
+  if (!std::ranges::all_of(island.joints.of(in.joints), is_soft)) return true;
   // Who attracts from afar is seen where it is at each sub-step: then all advance together.
   if (act_from_afar(in.forces) && !in.joints.empty()) return true;
   if (island.linked || in.smooth.empty()) return false;

@@ -1,5 +1,5 @@
-// The islands of a step that soft_step leaves to the reference solver, impulse_2007: those with joints, whose exact
-// solution it has not got, and free bodies for Runge–Kutta. Sub-step by sub-step, their contacts looked at again in each.
+// The islands of a step that soft_step leaves to the reference solver, impulse_2007: those with joints, unless
+// they are ball joints in large numbers, and free bodies for Runge–Kutta. Sub-step by sub-step, their contacts looked at again in each.
 #pragma once
 
 #include "collision/narrow/pairs.h"

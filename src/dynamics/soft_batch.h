@@ -12,6 +12,16 @@ namespace sudar::inline SUDAR_PRECISION {
 inline constexpr Real soft_reach = Real(0.010);        // a loaded point is held softly until it is so far apart
 inline constexpr Real soft_support_gap = Real(0.018);  // nearer points may carry
 
+// Of a constraint of some frequency [Hz] and damping ratio in sub-steps of length h (soft_step.h).
+struct Softness {
+  Real bias_rate, mass_scale, impulse_scale;
+};
+inline Softness softness(Real frequency, Real damping, Real h) {
+  const Real omega = Real(2 * pi) * frequency;
+  const Real a1 = 2 * damping + h * omega, a2 = h * omega * a1, a3 = 1 / (1 + a2);
+  return {omega / a1, a2 * a3, a3};
+}
+
 // A contact of the batch.
 struct SoftContact {
   static constexpr std::uint32_t none = 0xffffffffu;
@@ -42,6 +52,9 @@ struct SoftWorkspace {
   std::vector<Real> weights, radii;
   std::vector<double> heights;
   std::vector<Wrench> loads;
+  std::vector<std::uint32_t> joints;    // slots
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> joint_places;  // group and lane of their rows
+  std::vector<SoftBallRows> ball_rows;
   StepOutcome out;
 };
 

@@ -8,15 +8,6 @@ constexpr Real upright = Real(0.3);         // cosine between normal and vertica
 constexpr Real follow = Real(0.01);         // share by which a reference follows a growing load in a step
 constexpr std::uint32_t none = SoftContact::none;
 
-struct Softness {
-  Real bias_rate, mass_scale, impulse_scale;
-};
-Softness softness(Real frequency, Real damping, Real h) {
-  const Real omega = Real(2 * pi) * frequency;
-  const Real a1 = 2 * damping + h * omega, a2 = h * omega * a1, a3 = 1 / (1 + a2);
-  return {omega / a1, a2 * a3, a3};
-}
-
 class Preparation : public SoftBatch {
  public:
   explicit Preparation(const SoftBatch& batch)
@@ -47,16 +38,11 @@ class Preparation : public SoftBatch {
 
   void lay_out() {
     w_.rows.clear();
-    for (std::uint32_t colour = 0; colour <= Colours::colours; ++colour) {
-      const auto members = w_.colours.of(colour);
-      const std::uint32_t lanes = colour == Colours::crowded ? 1 : std::uint32_t(SoftLanes::count);
-      for (std::uint32_t k = 0; k < members.size(); ++k) {
-        if (k % lanes == 0) w_.rows.emplace_back();
-        w_.contacts[members[k]].group = std::uint32_t(w_.rows.size() - 1);
-        w_.contacts[members[k]].lane = k % lanes;
-        ++w_.rows.back().used;
-      }
-    }
+    w_.colours.each_group(SoftLanes::count, [&](std::uint32_t k, std::uint32_t group, std::uint32_t lane) {
+      if (lane == 0) w_.rows.emplace_back();
+      ++w_.rows[group].used;
+      w_.contacts[k].group = group, w_.contacts[k].lane = lane;
+    });
   }
 
   // Which body the points of a contact go along with: the one that moves, or the smaller one.

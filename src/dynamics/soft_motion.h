@@ -1,19 +1,19 @@
-// How bodies move in soft_step, W in a register. Like soft_passes.h, includes nothing that is compiled elsewhere.
+// How bodies move in soft_step, W in a register.
 #pragma once
 
-#include "dynamics/soft_rows.h"
-#include "math/wide.h"
+#include "dynamics/soft_pair.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
 template <int W>
-class SoftMotions {
-  using V = Wide<W>;
-  using Vec = Vec3T<V>;
+class SoftMotions : SoftAccess<W> {
+  using Base = SoftAccess<W>;
+  using typename Base::V, typename Base::Vec;
+  using Base::first_, Base::get, Base::put;
 
  public:
   [[gnu::always_inline]] SoftMotions(int first, SoftBody* bodies, const PassSettings& set)
-      : first_(first), bodies_(bodies), h_(wide::all<V>(set.h)) {}
+      : Base(first), bodies_(bodies), h_(wide::all<V>(set.h)) {}
 
   [[gnu::always_inline]] void begin(SoftMotion& m) const {
     const auto [v_in, w_in] = load_velocity(m);
@@ -107,15 +107,7 @@ class SoftMotions {
 
   // --- memory ---
 
-  [[gnu::always_inline]] V get(const SoftLanes& m) const {
-    V v;
-    __builtin_memcpy(&v, m.x + first_, sizeof v);
-    return v;
-  }
-  [[gnu::always_inline]] Vec get(const Vec3T<SoftLanes>& m) const { return {get(m.x), get(m.y), get(m.z)}; }
   [[gnu::always_inline]] Quat4 get(const QuatT<SoftLanes>& m) const { return {get(m.x), get(m.y), get(m.z), get(m.w)}; }
-  [[gnu::always_inline]] void put(SoftLanes& m, const V& v) const { __builtin_memcpy(m.x + first_, &v, sizeof v); }
-  [[gnu::always_inline]] void put(Vec3T<SoftLanes>& m, const Vec& v) const { put(m.x, v.x), put(m.y, v.y), put(m.z, v.z); }
   [[gnu::always_inline]] void put(QuatT<SoftLanes>& m, const Quat4& q) const {
     put(m.x, q.x), put(m.y, q.y), put(m.z, q.z), put(m.w, q.w);
   }
@@ -160,7 +152,6 @@ class SoftMotions {
 
   static constexpr Real tiny = std::numeric_limits<Real>::min();
 
-  int first_;  // lane
   SoftBody* bodies_;
   V h_;
 };

@@ -1,14 +1,18 @@
-// The passes of soft_step over contacts side by side, W in a register; compiled for each width by soft_passes_*.cc with
-// what the processor must have for it. Includes nothing that is also compiled elsewhere out of line: the linker would
-// keep one copy, and it might be the one that not every processor can run.
+// The passes of soft_step over contacts side by side, W in a register, and the table of all passes; compiled for each
+// width by soft_passes_*.cc with what the processor must have for it.
 #pragma once
 
+#include "dynamics/soft_balls.h"
 #include "dynamics/soft_motion.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
 template <int W>
-class SoftPasses {
+class SoftPasses : SoftPair<W> {
+  using Base = SoftPair<W>;
+  using typename Base::V, typename Base::Vec, typename Base::Way, typename Base::Side;
+  using Base::get, Base::put, Base::on_a_, Base::on_b_, Base::save;
+
  public:
   static constexpr SoftPassTable table() {
     return {W,
@@ -29,22 +33,19 @@ class SoftPasses {
             },
             [](SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
               each(rows, n, [&]<int w>(SoftRows& r, int first) { SoftPasses<w>(r, first, bodies, set).relax(r); });
+            },
+            [](const SoftBallRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
+              each(rows, n, [&]<int w>(const SoftBallRows& r, int first) { SoftBalls<w>(r, first, bodies, set).warm(r); });
+            },
+            [](SoftBallRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
+              each(rows, n, [&]<int w>(SoftBallRows& r, int first) { SoftBalls<w>(r, first, bodies, set).solve(r); });
+            },
+            [](SoftBallRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
+              each(rows, n, [&]<int w>(SoftBallRows& r, int first) { SoftBalls<w>(r, first, bodies, set).relax(r); });
             }};
   }
 
  private:
-  using V = Wide<W>;
-  using Vec = Vec3T<V>;
-  struct Side {
-    Vec v, w;
-    V inverse_mass, pad;
-    Symmetric3<V> inverse_inertia;
-  };
-
-  struct Way {
-    Vec shift, turn;
-  };
-
   // Every W lanes in use; fewer where few are left.
   template <class Rows, class Visit>
   [[gnu::always_inline]] static void each(Rows* rows, std::size_t n, Visit visit) {
@@ -64,8 +65,8 @@ class SoftPasses {
   template <int>
   friend class SoftPasses;
   [[gnu::always_inline]] SoftPasses(const SoftRows& r, int first, SoftBody* bodies, const PassSettings& set)
-      : first_(first), bodies_(bodies), set_(set), a_(r.a + first), b_(r.b + first), n_(get(r.n)), t1_(get(r.t1)),
-        t2_(cross(n_, t1_)), ra_(get(r.ra)), rb_(get(r.rb)), on_a_(load_velocity(a_)), on_b_(load_velocity(b_)) {}
+      : Base(first, bodies, r.a, r.b), set_(set), n_(get(r.n)), t1_(get(r.t1)), t2_(cross(n_, t1_)), ra_(get(r.ra)),
+        rb_(get(r.rb)) {}
 
   [[gnu::always_inline]] void warm(const SoftRows& r) {
     Vec press, slide;
@@ -97,7 +98,7 @@ class SoftPasses {
 
   template <bool undo_overlap>
   [[gnu::always_inline]] void press_points(SoftRows& r) {
-    way_a_ = load_way(a_), way_b_ = load_way(b_);
+    way_a_ = Base::way_of_a(), way_b_ = Base::way_of_b();
     const Vec moved = pressing(way_a_.shift, way_a_.turn, way_b_.shift, way_b_.turn);
     Vec g = pressing(on_a_.v, on_a_.w, on_b_.v, on_b_.w);
     const Symmetric3<V> response = get(r.press);
@@ -202,65 +203,19 @@ class SoftPasses {
   // Moments about n, t1, t2.
   [[gnu::always_inline]] void turn(const Vec& m) {
     const Vec moment = n_ * m.x + t1_ * m.y + t2_ * m.z;
-    on_a_.w += on_a_.inverse_inertia * moment;
-    on_b_.w -= on_b_.inverse_inertia * moment;
+    Base::push({}, moment, moment);
   }
 
   [[gnu::always_inline]] void push(const Vec& press, const Vec& slide) {
     const Vec force = n_ * press.x + t1_ * slide.x + t2_ * slide.y;
     const Vec moment = t1_ * press.z - t2_ * press.y + n_ * slide.z;
-    on_a_.v += force * on_a_.inverse_mass;
-    on_a_.w += on_a_.inverse_inertia * (moment + cross(ra_, force));
-    on_b_.v -= force * on_b_.inverse_mass;
-    on_b_.w -= on_b_.inverse_inertia * (moment + cross(rb_, force));
-  }
-
-  // --- memory ---
-
-  [[gnu::always_inline]] V get(const SoftLanes& m) const {
-    V v;
-    __builtin_memcpy(&v, m.x + first_, sizeof v);
-    return v;
-  }
-  [[gnu::always_inline]] Vec get(const Vec3T<SoftLanes>& m) const { return {get(m.x), get(m.y), get(m.z)}; }
-  [[gnu::always_inline]] Symmetric3<V> get(const Symmetric3<SoftLanes>& m) const {
-    return {get(m.xx), get(m.xy), get(m.xz), get(m.yy), get(m.yz), get(m.zz)};
-  }
-  [[gnu::always_inline]] void put(SoftLanes& m, const V& v) const { __builtin_memcpy(m.x + first_, &v, sizeof v); }
-
-  template <class Member>
-  [[gnu::always_inline]] wide::Fours<W> load(const std::uint32_t* numbers, Member SoftBody::* member) const {
-    return wide::load<W>([&](int lane) { return static_cast<const void*>(&(bodies_[numbers[lane]].*member)); });
-  }
-  [[gnu::always_inline]] Way load_way(const std::uint32_t* n) const {
-    const auto shift = load(n, &SoftBody::shift), turn = load(n, &SoftBody::turn);
-    return {{shift.x, shift.y, shift.z}, {turn.x, turn.y, turn.z}};
-  }
-  [[gnu::always_inline]] Side load_velocity(const std::uint32_t* n) const {
-    const auto v = load(n, &SoftBody::v), w = load(n, &SoftBody::w), i = load(n, &SoftBody::xx), j = load(n, &SoftBody::yz);
-    return {{v.x, v.y, v.z}, {w.x, w.y, w.z}, v.w, w.w, {i.x, i.y, i.z, i.w, j.x, j.y}};
-  }
-  template <class Member>
-  [[gnu::always_inline]] void store(const std::uint32_t* numbers, Member SoftBody::* member, const wide::Fours<W>& f) const {
-    wide::store<W>(f, [&](int lane, const Wide<4>& four) {
-      if (numbers[lane] != 0) __builtin_memcpy(static_cast<void*>(&(bodies_[numbers[lane]].*member)), &four, sizeof four);
-    });
-  }
-  [[gnu::always_inline]] void save() const {
-    store(a_, &SoftBody::v, {on_a_.v.x, on_a_.v.y, on_a_.v.z, on_a_.inverse_mass});
-    store(a_, &SoftBody::w, {on_a_.w.x, on_a_.w.y, on_a_.w.z, on_a_.pad});
-    store(b_, &SoftBody::v, {on_b_.v.x, on_b_.v.y, on_b_.v.z, on_b_.inverse_mass});
-    store(b_, &SoftBody::w, {on_b_.w.x, on_b_.w.y, on_b_.w.z, on_b_.pad});
+    Base::push(force, moment + cross(ra_, force), moment + cross(rb_, force));
   }
 
   static constexpr Real tiny = std::numeric_limits<Real>::min();
 
-  int first_;  // lane
-  SoftBody* bodies_;
   const PassSettings& set_;
-  const std::uint32_t *a_, *b_;
   Vec n_, t1_, t2_, ra_, rb_;
-  Side on_a_, on_b_;
   Way way_a_, way_b_;  // since the step began
 };
 

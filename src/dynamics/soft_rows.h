@@ -73,6 +73,16 @@ struct SoftRows {
   bool turning = false;                            // some contact resists turning
 };
 
+// Ball joints side by side.
+struct SoftBallRows {
+  using V = SoftLanes;
+  Vec3T<V> ra, rb;       // anchors from the centres of mass when the step began, world axes, m
+  Vec3T<V> gap;          // anchor a less anchor b then, m
+  Vec3T<V> impulse;      // accumulated, on a, N s
+  std::uint32_t a[V::count]{}, b[V::count]{};
+  std::uint32_t used = 0;
+};
+
 // Bodies side by side in the order of their numbers: all that moves them but their velocities, which lie in SoftBody.
 struct SoftMotion {
   using V = SoftLanes;
@@ -92,6 +102,7 @@ struct PassSettings {
   Real h;           // s
   Real push_speed;  // overlap is not undone faster, m/s
   Real reach;       // within which a loaded point is still held though it is apart, m
+  Real joint_bias_rate, joint_mass_scale, joint_impulse_scale;  // softness of joints
 };
 
 // The passes, for registers of some width.
@@ -109,6 +120,10 @@ struct SoftPassTable {
   void (*solve)(SoftRows*, std::size_t, SoftBody*, const PassSettings&);
   // The same without the push that undoes overlap; then friction.
   void (*relax)(SoftRows*, std::size_t, SoftBody*, const PassSettings&);
+  // The same for ball joints.
+  void (*warm_balls)(const SoftBallRows*, std::size_t, SoftBody*, const PassSettings&);
+  void (*solve_balls)(SoftBallRows*, std::size_t, SoftBody*, const PassSettings&);
+  void (*relax_balls)(SoftBallRows*, std::size_t, SoftBody*, const PassSettings&);
 };
 // Turns one body so fast that a sub-step is too long for its turn; for the drift.
 void turn_in_parts(SoftMotion&, std::uint32_t lane, Real h);

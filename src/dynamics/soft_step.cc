@@ -6,6 +6,7 @@
 #include "dynamics/reference_islands.h"
 #include "dynamics/soft_contacts.h"
 #include "dynamics/soft_impacts.h"
+#include "dynamics/soft_joints.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -13,29 +14,36 @@ namespace {
 
 class BatchSolver : public SoftBatch {
  public:
-  explicit BatchSolver(const SoftBatch& batch) : SoftBatch(batch) {}
+  explicit BatchSolver(const SoftBatch& batch)
+      : SoftBatch(batch), joint_(softness(min(set_.joint_frequency, Real(0.25) / h_), set_.joint_damping, h_)) {}
 
   void run(std::span<const std::uint32_t> islands) {
     gather_bodies(islands);
     prepare_contacts(*this, islands);
+    prepare_joints(*this, islands);
     const SoftPassTable& passes = soft_passes(set_.lanes);
-    const PassSettings set{h_, set_.push_speed * unit_, set_.carry_loads ? soft_reach * unit_ : Real(0)};
+    const PassSettings set{h_, set_.push_speed * unit_, set_.carry_loads ? soft_reach * unit_ : Real(0),
+                           joint_.bias_rate, joint_.mass_scale, joint_.impulse_scale};
     const auto bodies = [&](auto pass) { pass(w_.motions.data(), w_.motions.size(), w_.bodies.data(), set); };
     const auto contacts = [&](auto pass) { pass(w_.rows.data(), w_.rows.size(), w_.bodies.data(), set); };
+    const auto joints = [&](auto pass) { pass(w_.ball_rows.data(), w_.ball_rows.size(), w_.bodies.data(), set); };
     for (int k = 0; k < in_.substeps; ++k) {
       if (k > 0 && vary(in_.forces)) publish(), load_forces();
       strike_contacts(*this);
       bodies(passes.begin);
       leave_bouncing_alone(*this);
-      if (k == 0) contacts(passes.warm);
+      if (k == 0) joints(passes.warm_balls), contacts(passes.warm);
+      joints(passes.solve_balls);
       contacts(passes.solve);
       bodies(passes.drift);
       carry_kinematic();
+      joints(passes.relax_balls);
       contacts(passes.relax);
       bodies(passes.settle);
     }
     publish();
     store_contacts(*this);
+    store_joints(*this);
   }
 
  private:
@@ -133,6 +141,8 @@ class BatchSolver : public SoftBatch {
       if (!place(in_.bodies, slot, at)) give_up(n);
     }
   }
+
+  Softness joint_;
 };
 
 // Islands that are solved at once: enough to fill the lanes, few enough to stay in the caches.
