@@ -145,14 +145,18 @@ class BatchSolver : public SoftBatch {
   Softness joint_;
 };
 
-// Islands that are solved at once: enough to fill the lanes, few enough to stay in the caches.
+// Islands that are solved at once: enough to fill the lanes, few enough to stay in the caches and to share among workers.
+// An island's bits do not depend on what is solved beside it.
 struct Plan {
   std::vector<std::uint32_t> islands;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> batches;  // first, end in that list
 
   void make(const StepView& in) {
-    constexpr std::uint32_t enough = 2000;
+    constexpr std::uint32_t most = 2000, least = 200;
     const std::span<const Island> all = in.islands;
+    const auto whole = std::uint32_t(in.contacts.size() + in.awake.size());
+    const std::uint32_t workers = in.pool.workers();
+    const std::uint32_t enough = workers == 1 ? most : std::clamp(whole / (4 * workers), least, most);
     const bool at_once = act_from_afar(in.forces);
     islands.clear(), batches.clear();
     std::uint32_t first = 0, cost = 0;

@@ -5,14 +5,17 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 using namespace sudar;
 using namespace sudar_test;
 
 namespace {
 
-World heaps(int workers) {
+World heaps(int workers, Solver solver = Config{}.solver) {
   Config c;
   c.workers = workers;
+  c.solver = solver;
   World w(c);
   w.add(Gravity{});
   add_floor(w);
@@ -30,10 +33,10 @@ World heaps(int workers) {
   return w;
 }
 
-TEST(Workers, ChangeNoBit) {
+void change_no_bit(const std::function<World(int workers)>& make) {
   std::vector<std::uint64_t> hashes;
   for (const int workers : {1, 2, 3, 5}) {
-    World w = heaps(workers);
+    World w = make(workers);
     std::uint64_t all = 0;
     for (int i = 0; i < 25; ++i) {
       w.step();
@@ -42,6 +45,25 @@ TEST(Workers, ChangeNoBit) {
     hashes.push_back(all);
   }
   for (const std::uint64_t h : hashes) EXPECT_EQ(h, hashes[0]);
+}
+
+TEST(Workers, ChangeNoBit) {
+  change_no_bit([](int workers) { return heaps(workers); });
+}
+
+// Towers enough for several batches of soft_step.
+TEST(Workers, ChangeNoBitOfTheFastSolver) {
+  change_no_bit([](int workers) { return heaps(workers, Solver::soft_step); });
+  change_no_bit([](int workers) {
+    Config c;
+    c.workers = workers;
+    c.solver = Solver::soft_step;
+    World w(c);
+    w.add(Gravity{});
+    add_floor(w);
+    for (int k = 0; k < 400; ++k) w.add(cube({3.0 * (k % 10), 0.6 + 1.1 * (k / 100), 3.0 * (k / 10 % 10)}));
+    return w;
+  });
 }
 
 TEST(Workers, AreNoPartOfTheState) {
