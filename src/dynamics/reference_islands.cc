@@ -18,19 +18,18 @@ bool ReferenceIslands::belongs(const StepView& in, const Island& island) {
 }
 
 void ReferenceIslands::gather(const StepView& in) {
-  islands_.clear(), awake_.clear(), joints_.clear(), contacts_.clear(), in_view_.clear(), pairs_.clear();
+  islands_.clear(), awake_.clear(), joints_.clear(), pair_in_view_.clear(), pairs_.clear(), pairs_of_.clear();
   for (const Island& island : in.islands) {
     if (!belongs(in, island)) continue;
     Island& own = islands_.emplace_back(island);
     own.bodies.first = std::uint32_t(awake_.size());
-    own.contacts.first = std::uint32_t(contacts_.size());
+    pairs_of_.push_back({std::uint32_t(pairs_.size()), island.contacts.count});
     own.joints.first = std::uint32_t(joints_.size());
     const auto bodies = island.bodies.of(in.awake), joints = island.joints.of(in.joints);
     awake_.insert(awake_.end(), bodies.begin(), bodies.end());
     joints_.insert(joints_.end(), joints.begin(), joints.end());
     for (std::uint32_t c = island.contacts.first; c < island.contacts.first + island.contacts.count; ++c) {
-      in_view_.push_back(c);
-      contacts_.push_back(in.contacts[c]);
+      pair_in_view_.push_back(c);
       PairRow& row = pairs_.emplace_back();
       row.key = {in.contacts[c].a, in.contacts[c].b};
       row.manifold = *in.contacts[c].manifold;
@@ -47,14 +46,30 @@ void ReferenceIslands::look_again(const StepView& in) {
   std::vector<std::uint32_t> all(pairs_.size());
   std::iota(all.begin(), all.end(), 0u);
   collide_pairs(pairs_, all, in.geometries, poses_, in.config.impulse_2007.slop * in.config.length_unit);
-  for (std::size_t k = 0; k < pairs_.size(); ++k) contacts_[k].manifold = &pairs_[k].manifold;
+  // The step's view looks farther ahead than the reference solver: what does not touch is no contact to it.
+  contacts_.clear(), in_view_.clear();
+  for (std::size_t i = 0; i < islands_.size(); ++i) {
+    const auto first = std::uint32_t(contacts_.size());
+    for (std::uint32_t k = pairs_of_[i].first; k < pairs_of_[i].first + pairs_of_[i].count; ++k) {
+      ActiveContact contact = in.contacts[pair_in_view_[k]];
+      if (pairs_[k].manifold.count == 0) {
+        in.contact_state.impulse[contact.slot] = {};
+        continue;
+      }
+      contact.manifold = &pairs_[k].manifold;
+      contacts_.push_back(contact);
+      in_view_.push_back(pair_in_view_[k]);
+    }
+    islands_[i].contacts = {first, std::uint32_t(contacts_.size()) - first};
+  }
 }
 
 // Stored impulses lie in the order of the last manifold's points; the pair remembers the first one's.
 void ReferenceIslands::reorder_impulses(const StepView& in) {
-  for (std::size_t k = 0; k < contacts_.size(); ++k) {
-    const Manifold &last = pairs_[k].manifold, &first = *in.contacts[in_view_[k]].manifold;
-    ContactImpulse& stored = in.contact_state.impulse[contacts_[k].slot];
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const ActiveContact& contact = in.contacts[pair_in_view_[k]];
+    const Manifold &last = pairs_[k].manifold, &first = *contact.manifold;
+    ContactImpulse& stored = in.contact_state.impulse[contact.slot];
     ContactImpulse ordered;
     ordered.turning = stored.turning;
     for (std::size_t i = 0; i < std::size_t(first.count); ++i) {

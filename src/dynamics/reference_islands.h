@@ -24,9 +24,12 @@ class ReferenceIslands {
   Impulse2007Solver solver_;
   std::vector<Island> islands_;
   std::vector<std::uint32_t> awake_, joints_, smooth_;
-  std::vector<ActiveContact> contacts_;
-  std::vector<std::uint32_t> in_view_;  // number of each contact in the step's view
+  // All pairs of the step's view, island after island, and those of them that touch in the sub-step at work.
+  std::vector<std::uint32_t> pair_in_view_;
   std::vector<PairRow> pairs_;
+  std::vector<Island::Part> pairs_of_;  // by island
+  std::vector<ActiveContact> contacts_;
+  std::vector<std::uint32_t> in_view_;
   std::vector<Pose> poses_;             // of shapes, by slot; of those in pairs
 };
 

@@ -41,10 +41,10 @@ class SoftBalls : SoftPair<W> {
   }
 
  private:
-  // By an angle that is small in a step: the error is a sixth of its cube.
+  // By the Cayley map: whatever the angle, the arm keeps its length.
   [[gnu::always_inline]] static Vec turned(const Vec& arm, const Vec& turn) {
-    const Vec side = cross(turn, arm);
-    return arm + side + cross(turn, side) * wide::all<V>(Real(0.5));
+    const Vec k = turn * wide::all<V>(Real(0.5)), side = cross(k, arm);
+    return arm + (side + cross(k, side)) * (wide::all<V>(2) / (wide::all<V>(1) + dot(k, k)));
   }
   [[gnu::always_inline]] Vec rate() const {
     return (on_a_.v - on_b_.v) + (cross(on_a_.w, ra_) - cross(on_b_.w, rb_));

@@ -174,12 +174,14 @@ class SoftPasses : SoftPair<W> {
   // carried round in circles outwards.
   [[gnu::always_inline]] void arms_of_friction(const SoftRows& r) {
     const Way &a = way_a_, &b = way_b_;
-    const V half = wide::all<V>(set_.h * Real(-0.5)), two = wide::all<V>(2);
+    const V half = wide::all<V>(set_.h * Real(-0.5)), one = wide::all<V>(1);
     const auto of_a = get(r.owned_by_a) > V{};
-    const V angle = of_a ? dot(a.turn + on_a_.w * half, n_) : dot(b.turn + on_b_.w * half, n_);
+    // Half the angle, for the Cayley map: whatever it is, the arm keeps its length.
+    const V k = (of_a ? dot(a.turn + on_a_.w * half, n_) : dot(b.turn + on_b_.w * half, n_)) * wide::all<V>(Real(0.5));
+    const V share = (k + k) / (one + k * k);
     const Vec own{of_a ? ra_.x : rb_.x, of_a ? ra_.y : rb_.y, of_a ? ra_.z : rb_.z};
     const Vec side = cross(n_, own), across = cross(n_, side);
-    const Vec turned = own + side * angle + across * (angle * angle / two);
+    const Vec turned = own + (side + across * k) * share;
     const Vec apart = get(r.apart) + (a.shift - b.shift) + (on_a_.v - on_b_.v) * half;
     const Vec before = turned - apart, after = turned + apart;
     ra_ = {of_a ? turned.x : before.x, of_a ? turned.y : before.y, of_a ? turned.z : before.z};
