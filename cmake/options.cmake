@@ -27,6 +27,9 @@ target_compile_options(sudar_warnings INTERFACE ${warnings})
 # Outside src/ and include/ a user may write 0.8 for a Real. (For clang the exception must follow -Wconversion.)
 add_library(sudar_user_warnings INTERFACE)
 target_compile_options(sudar_user_warnings INTERFACE ${warnings} ${no_float_warning})
+if(SUDAR_QUICK_BUILD)
+  target_compile_options(sudar_user_warnings INTERFACE -O0)
+endif()
 
 # sudar_folder(FILE…): the files of one folder of the engine, in the order in which they may include each other.
 function(sudar_folder)

@@ -11,19 +11,21 @@ namespace {
 // another manifold.
 constexpr Real worth = Real(1e-4);
 
+// What turns farther in a sub-step on something flat, rad, stands on another point in its middle than at its beginning.
+constexpr Real most_turn = Real(1.3);
+
 bool flat_sided(const Geometry& g) { return g.kind == ShapeKind::hull || g.kind == ShapeKind::half_space; }
 
 bool curves(const SubStep& s, const ManifoldRow& m) {
   if (s.set.one_point_contact || s.set.friction_per_increment) return false;
   const Moving &a = s.on[m.a].real, &b = s.on[m.b].real;
   const ActiveContact& c = s.contact(m);
-  Real squared = max(length_squared(vector(a.w)), length_squared(vector(b.w)));
+  const Real turning = max(length_squared(vector(a.w)), length_squared(vector(b.w)));
   const Geometry &on_a = *s.in.geometries[c.a], &on_b = *s.in.geometries[c.b];
-  if (!flat_sided(on_a) && !flat_sided(on_b)) {  // one glides round the other
-    const Real around = min(on_a.bounding_radius, on_b.bounding_radius);
-    squared = max(squared, length_squared(vector(a.v - b.v)) / square(around));
-  }
-  return squared * s.h > worth;
+  if (flat_sided(on_a) || flat_sided(on_b)) return turning * s.h > worth && turning * square(s.h) < square(most_turn);
+  // One glides round the other.
+  const Real around = min(on_a.bounding_radius, on_b.bounding_radius);
+  return max(turning, length_squared(vector(a.v - b.v)) / square(around)) * s.h > worth;
 }
 
 // A body in the middle of the sub-step.

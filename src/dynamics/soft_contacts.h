@@ -8,6 +8,8 @@ namespace sudar::inline SUDAR_PRECISION {
 
 // After the bodies are gathered.
 void prepare_contacts(const SoftBatch&, std::span<const std::uint32_t> islands);
+// After a drift: contacts of bodies that have turned far know again how these answer impulses.
+void renew_answers(const SoftBatch& batch);
 void store_contacts(const SoftBatch&);
 
 }

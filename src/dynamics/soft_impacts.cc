@@ -111,7 +111,7 @@ class Impacts : public SoftBatch {
     for (const std::uint32_t i : {c.a, c.b}) {
       if (!moves(i)) continue;
       motion(i).falls[lane_of(i)] = 0;
-      set(motion(i).gain_v, lane_of(i), {}), set(motion(i).gain_w, lane_of(i), {});
+      set(motion(i).gain_v, lane_of(i), {}), set(motion(i).gain_momentum, lane_of(i), {});
     }
     return true;
   }

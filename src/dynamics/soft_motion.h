@@ -25,8 +25,12 @@ class SoftMotions : SoftAccess<W> {
     const V turn_rate = (get(m.angular_drag) + get(m.quadratic_angular_drag) * wide::root(dot(w, w))) * share;
     v -= v * (rate / (one + rate)), w -= w * (turn_rate / (one + turn_rate));
     put(m.falls, one);
-    put(m.v_before, v), put(m.w_before, w);
-    save_velocity(m, v + get(m.gain_v), w + get(m.gain_w));
+    take_momentum(m, w);
+    put(m.spin, w);
+    put(m.v_before, v), put(m.momentum_before, get(m.momentum));
+    const auto i = load(m, &SoftBody::xx), j = load(m, &SoftBody::yz);
+    const Symmetric3<V> inverse{i.x, i.y, i.z, i.w, j.x, j.y};
+    save_velocity(m, v + get(m.gain_v), w + inverse * get(m.gain_momentum));
   }
 
   [[gnu::always_inline]] void drift(SoftMotion& m) const {
@@ -50,15 +54,17 @@ class SoftMotions : SoftAccess<W> {
     save_inertia(m, now, inverse);
     const Vec turned_spin = rotate(now, scale(rotate_back(now, momentum), inverse));
     put(m.spin, turned_spin);
-    put(m.w_before, get(m.w_before) + (turned_spin - w));  // what turning freely made of ω is no gain
     save_velocity(m, v, turned_spin);
-    move(m, &SoftBody::shift, v), move(m, &SoftBody::turn, w);
+    move(m, &SoftBody::shift, v);
+    const Vec turn = move(m, &SoftBody::turn, w);
+    const V squared = dot(turn, turn), most = get(m.most_turn);
+    for (int lane = 0; lane < W; ++lane) m.turned_far |= squared[lane] > most[lane];
   }
 
   [[gnu::always_inline]] void settle(SoftMotion& m) const {
     const auto [v, w] = load_velocity(m);
-    put(m.gain_v, v - get(m.v_before)), put(m.gain_w, w - get(m.w_before));
     take_momentum(m, w);
+    put(m.gain_v, v - get(m.v_before)), put(m.gain_momentum, get(m.momentum) - get(m.momentum_before));
     const Quat4 q = get(m.orientation);
     const Vec spin = rotate(q, scale(rotate_back(q, get(m.momentum)), get(m.inverse_inertia)));
     put(m.spin, spin);
@@ -135,9 +141,11 @@ class SoftMotions : SoftAccess<W> {
     save(m, &SoftBody::v, {v.x, v.y, v.z, old.w});
     save(m, &SoftBody::w, {w.x, w.y, w.z, V{}});
   }
-  [[gnu::always_inline]] void move(const SoftMotion& m, Vec3 SoftBody::* member, const Vec& velocity) const {
+  [[gnu::always_inline]] Vec move(const SoftMotion& m, Vec3 SoftBody::* member, const Vec& velocity) const {
     const auto old = load(m, member);
-    save(m, member, {old.x + velocity.x * h_, old.y + velocity.y * h_, old.z + velocity.z * h_, V{}});
+    const Vec now{old.x + velocity.x * h_, old.y + velocity.y * h_, old.z + velocity.z * h_};
+    save(m, member, {now.x, now.y, now.z, V{}});
+    return now;
   }
   [[gnu::always_inline]] void save_inertia(const SoftMotion& m, const Quat4& q, const Vec& d) const {
     const V one = wide::all<V>(1), two = wide::all<V>(2);

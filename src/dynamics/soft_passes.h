@@ -184,8 +184,13 @@ class SoftPasses : SoftPair<W> {
     const Vec turned = own + (side + across * k) * share;
     const Vec apart = get(r.apart) + (a.shift - b.shift) + (on_a_.v - on_b_.v) * half;
     const Vec before = turned - apart, after = turned + apart;
-    ra_ = {of_a ? turned.x : before.x, of_a ? turned.y : before.y, of_a ? turned.z : before.z};
-    rb_ = {of_a ? after.x : turned.x, of_a ? after.y : turned.y, of_a ? after.z : turned.z};
+    const auto far = k * k > wide::all<V>(most_half_turn * most_half_turn);
+    const auto choose = [&](const Vec& start, const Vec& on_a, const Vec& on_b) {
+      return Vec{far ? start.x : of_a ? on_a.x : on_b.x, far ? start.y : of_a ? on_a.y : on_b.y,
+                 far ? start.z : of_a ? on_a.z : on_b.z};
+    };
+    ra_ = choose(ra_, turned, before);
+    rb_ = choose(rb_, after, turned);
   }
 
   [[gnu::always_inline]] void resist_turning(SoftRows& r) {
@@ -214,6 +219,7 @@ class SoftPasses : SoftPair<W> {
     Base::push(force, moment + cross(ra_, force), moment + cross(rb_, force));
   }
 
+  static constexpr Real most_half_turn = Real(0.1);  // rad, since the step began, with which arms of friction still turn
   static constexpr Real tiny = std::numeric_limits<Real>::min();
 
   const PassSettings& set_;

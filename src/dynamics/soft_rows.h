@@ -92,10 +92,12 @@ struct SoftMotion {
   Vec3T<V> inertia, inverse_inertia;  // principal moments
   Vec3T<V> acceleration, angular_acceleration;  // by forces but drag
   V drag, quadratic_drag, angular_drag, quadratic_angular_drag;  // rates, see DragRates
+  V most_turn;                        // square of the turn, rad², beyond which what contacts know of its inertia is too old
   V falls;                            // 1; 0: has just bounced, and forces do not act in this sub-step
-  Vec3T<V> v_before, w_before;        // after forces, before contacts
-  Vec3T<V> gain_v, gain_w;            // what contacts made of them in the last sub-step
+  Vec3T<V> v_before, momentum_before;  // after forces, before contacts
+  Vec3T<V> gain_v, gain_momentum;     // what contacts made of them in the last sub-step
   std::uint32_t first = 0, used = 0;  // numbers of bodies
+  bool turned_far = false;            // some body has, beyond most_turn
 };
 
 struct PassSettings {

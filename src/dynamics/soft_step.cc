@@ -37,6 +37,7 @@ class BatchSolver : public SoftBatch {
       contacts(passes.solve);
       bodies(passes.drift);
       carry_kinematic();
+      renew_answers(*this);
       joints(passes.relax_balls);
       contacts(passes.relax);
       bodies(passes.settle);
@@ -82,6 +83,14 @@ class BatchSolver : public SoftBatch {
     m.orientation.x[lane] = q.x, m.orientation.y[lane] = q.y, m.orientation.z[lane] = q.z, m.orientation.w[lane] = q.w;
     set(m.momentum, lane, b.angular_momentum[slot]), set(m.spin, lane, spin);
     set(m.inertia, lane, b.inertia[slot]), set(m.inverse_inertia, lane, b.inverse_inertia[slot]);
+    m.most_turn[lane] = most_turn(b.inertia[slot]);
+  }
+
+  // Turned by θ, a body answers in a direction by up to (Imax / Imin − 1) θ² more than it did. What contacts know of it may
+  // be wrong by a tenth: an answer twice as large would make passes diverge.
+  static Real most_turn(const Vec3& inertia) {
+    const Real largest = max(max(inertia.x, inertia.y), inertia.z), least = min(min(inertia.x, inertia.y), inertia.z);
+    return Real(0.1) * least / max(largest - least, std::numeric_limits<Real>::min());
   }
 
   // Lanes without a body turn, too, and must stay finite.
@@ -91,6 +100,7 @@ class BatchSolver : public SoftBatch {
     for (std::uint32_t lane = 0; lane < SoftLanes::count; ++lane) {
       m.orientation.w[lane] = 1, m.falls[lane] = 1;
       set(m.inertia, lane, {1, 1, 1});
+      m.most_turn[lane] = std::numeric_limits<Real>::max();
     }
   }
 
