@@ -122,10 +122,14 @@ bool keep_manifold(const World::Impl& w, PairRow& row, Real margin) {
   if (abs(turn_a.w) < least_cosine || abs(turn_b.w) < least_cosine) return false;
   const Vec3 shift = (b.position[row.key.a] - place.a.p) - (b.position[row.key.b] - place.b.p);
   const Vec3 to_shape = rotate(place.a.q, b.shape_frame[row.key.a].p), apart = place.a.p - place.b.p;
-  Real far = Real(0.02) * w.config.length_unit;
+  Real radius = std::numeric_limits<Real>::infinity();  // of the smaller body
   for (const std::uint32_t i : {row.key.a, row.key.b}) {
-    if (b.dynamic(i)) far = min(far, Real(0.04) * b.radius[i]);
+    if (b.dynamic(i)) radius = min(radius, b.radius[i]);
   }
+  const Real far = min(Real(0.02) * w.config.length_unit, Real(0.04) * radius);
+  // Points along an edge stay where they are while all else of a box turns about it.
+  const Vec3 turned = turn(turn_a, turn_b).vector();
+  if (4 * length_squared(cross(turned, m.normal)) * square(radius) > square(far)) return false;
   std::array<Real, 4> separation;
   for (std::size_t k = 0; k < std::size_t(m.count); ++k) {
     const Vec3 ra = m.points[k].at + to_shape, rb = ra + apart;

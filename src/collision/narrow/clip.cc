@@ -133,6 +133,12 @@ Real lowest(const Manifold& m) {
   return low;
 }
 
+// Where one more point goes: in the place of the highest one, if there is no other.
+ManifoldPoint& place_of_one(Manifold& m) {
+  if (m.count < int(m.points.size())) return m.points[std::size_t(m.count++)];
+  return *std::ranges::max_element(m.points, {}, &ManifoldPoint::separation);
+}
+
 std::uint32_t most_along(std::span<const Polyhedron::Face> faces, const Vec3& direction) {
   std::uint32_t best = 0;
   Real best_value = dot(faces[0].normal, direction);
@@ -169,12 +175,18 @@ void contact_region(const HullView& a, const HullView& b, const Axis& axis, Real
   out.count = 0;
   const std::uint32_t fa = axis.kind == Axis::face_a ? axis.a : most_along(a.faces, n);
   const std::uint32_t fb = axis.kind == Axis::face_b ? axis.b : most_along(b.faces, -n);
-  const bool flat = min(dot(a.faces[fa].normal, n), -dot(b.faces[fb].normal, n)) > Real(flat_cosine);
+  const Real cosine_a = dot(a.faces[fa].normal, n), cosine_b = -dot(b.faces[fb].normal, n);
+  const bool flat = min(cosine_a, cosine_b) > Real(flat_cosine);
   const Real scale = min(a.radius, b.radius);
   const Real thick = thickness * scale;
   const FacePair on_a{a, b, fa, fb, true}, on_b{b, a, fb, fa, false};
   Points points(a.vertices.size() + b.vertices.size() + a.faces[fa].count + b.faces[fb].count);
-  const bool over_a = flat || axis.kind == Axis::face_a, over_b = flat || axis.kind == Axis::face_b;
+  // Where edges cross almost in the plane of a face, more of the other hull than that point is over the face, or will be
+  // before these hulls are looked at again: the margin tells how far they may turn.
+  const Real sine = max(Real(flat_sine), margin / scale), almost = sqrt(max(1 - square(sine), Real(0.5)));
+  const bool crossing = axis.kind == Axis::edges;
+  const bool over_a = flat || axis.kind == Axis::face_a || (crossing && cosine_a > almost);
+  const bool over_b = flat || axis.kind == Axis::face_b || (crossing && cosine_b > almost);
   if (over_a) {
     clip_faces(on_a, n, margin, thick, points);
   } else if (over_b) {
@@ -182,14 +194,13 @@ void contact_region(const HullView& a, const HullView& b, const Axis& axis, Real
   }
   if (over_a) other_vertices(on_a, n, margin, thick, points);
   if (over_b) other_vertices(on_b, n, margin, thick, points);
-  if (points.size() > 0) reduce(points.all(), n, scale, out);
-  const bool clipped = out.count > 0;
+  if (points.size() > 0) reduce(points.all(), n, margin, scale, out);
   // Hulls that overlap have a contact, even where the faces pass beside what is deepest. Hulls that do not, and whose
   // faces do not lie over each other either, are farther apart than the axis says, unless the two edges that decided it
   // do pass each other.
-  if (clipped && (axis.separation > 0 || lowest(out) <= axis.separation / 2 + thick)) return;
+  if (out.count > 0 && (axis.separation > 0 || lowest(out) <= axis.separation / 2 + thick)) return;
   const ManifoldPoint point = single_point(a, b, axis, margin);
-  if (point.separation < margin) out.points[0] = point, out.count = 1;
+  if (point.separation < margin) place_of_one(out) = point;
 }
 
 }

@@ -42,7 +42,7 @@ void collide_curved(const Placed& pa, const Placed& pb, Real margin, Manifold& o
   SmallArray<ManifoldPoint, 64> points(most_points(of_a, of_b));
   overlay(of_a, of_b, how, points);
   if (points.size() > 0) {
-    reduce(points.all(), out.normal, Real(scale), out);
+    reduce(points.all(), out.normal, margin, Real(scale), out);
     // Else the parts pass beside what is nearest or deepest.
     if (lowest(out) <= (s.distance > 0 ? s.distance : s.distance / 2) + how.thick) return;
   }

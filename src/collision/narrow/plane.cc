@@ -24,7 +24,7 @@ void collide_hull_plane(const Polyhedron& hull, const HalfSpace& plane, Real rad
     const Real s = dot(plane.normal, v) - plane.offset;
     if (s < margin) points.push({v - plane.normal * (s * Real(0.5)), s, i});
   }
-  reduce(points.all(), plane.normal, radius, out);
+  reduce(points.all(), plane.normal, margin, radius, out);
 }
 
 }

@@ -46,17 +46,17 @@ struct Next {
   Real slope = 0;  // its rise by its distance
 };
 
-// Of the points farther than `least`: how far each overlaps after a turn by 2.9°, or by as much as the first touch
-// needs; of those that overlap most, the farthest.
+// Of the points farther than `least`: how far each overlaps after a turn by `most_turn`, or by as much as the first
+// touch needs; of those that overlap most, the farthest.
 template <class Distance, class Rise>
-Next next(const Sight& sight, Real least, Real tie, Distance distance, Rise rise) {
+Next next(const Sight& sight, Real least, Real tie, Real most_turn, Distance distance, Rise rise) {
   Real lowest = steepest;
   for (const Seen& s : sight) {
     if (const Real d = distance(s); d > least) lowest = min(lowest, rise(s) / d);
   }
   Next found;
   if (lowest >= steepest) return found;
-  const Real turn = max(lowest, Real(flat_sine));
+  const Real turn = max(lowest, most_turn);
   Real most = -std::numeric_limits<Real>::infinity(), farthest = least;
   for (const Seen& s : sight) {
     if (const Real d = distance(s); d > least) most = max(most, turn * d - rise(s));
@@ -70,8 +70,9 @@ Next next(const Sight& sight, Real least, Real tie, Distance distance, Rise rise
 
 class Reduction {
  public:
-  Reduction(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real scale, Manifold& out)
+  Reduction(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real margin, Real scale, Manifold& out)
       : normal_(normal),
+        turn_(max(Real(flat_sine), margin / scale)),
         merge_(merge_share * scale),
         tie_(tie_share * scale),
         first_(deepest(candidates, tie_)),
@@ -88,7 +89,7 @@ class Reduction {
     keep(first_);
     const auto rise = [](const Seen& s) { return s.rise; };
     const Next second = next(
-        sight_, merge_, tie_, [](const Seen& s) { return length(s.off); }, rise);
+        sight_, merge_, tie_, turn_, [](const Seen& s) { return length(s.off); }, rise);
     if (!second.point) return;
     const Vec3 along = normalize(second.point->off), across = cross(normal_, along);
     const auto above_edge = [&](const Seen& s) { return s.rise - second.slope * dot(along, s.off); };
@@ -96,7 +97,7 @@ class Reduction {
     Real side = 1;
     for (const Real way : {Real(1), Real(-1)}) {
       const auto distance = [&](const Seen& s) { return way * dot(across, s.off); };
-      Next found = next(sight_, merge_, tie_, distance, above_edge);
+      Next found = next(sight_, merge_, tie_, turn_, distance, above_edge);
       if (!found.point) continue;
       if (!facet.point || found.slope * better < facet.slope) std::swap(facet, found), side = way;
       other = found;
@@ -118,7 +119,7 @@ class Reduction {
   // Keeps the corners that span a facet about the first point.
   void span(const Sight& corners) {
     const auto farthest = [&](auto distance) {
-      return next(corners, merge_, tie_, distance, [](const Seen&) { return Real(0); }).point;
+      return next(corners, merge_, tie_, turn_, distance, [](const Seen&) { return Real(0); }).point;
     };
     const Seen* far = farthest([](const Seen& s) { return length(s.off); });
     if (!far) return;
@@ -134,7 +135,7 @@ class Reduction {
   }
 
   const Vec3& normal_;
-  const Real merge_, tie_;
+  const Real turn_, merge_, tie_;
   const ManifoldPoint& first_;
   Sight sight_;
   Manifold& out_;
@@ -142,7 +143,7 @@ class Reduction {
 
 }
 
-void reduce(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real scale, Manifold& out) {
+void reduce(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real margin, Real scale, Manifold& out) {
   out.count = 0;
   if (candidates.size() <= 4) {
     for (const ManifoldPoint& p : candidates) {
@@ -150,7 +151,7 @@ void reduce(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real 
     }
     return;
   }
-  Reduction(candidates, normal, scale, out).run();
+  Reduction(candidates, normal, margin, scale, out).run();
 }
 
 }
