@@ -58,6 +58,7 @@ struct World::Impl {
   Slots sensor_slots;
   PairTable pairs;                      // `row` is a slot of contacts
   std::vector<Proxy> proxies;           // by body slot; their fat boxes decide which pairs exist
+  std::vector<double> way;                  // by body slot: how far any of its points can have come so far, m
   std::int64_t steps = 0;
   // time = clock_start + clock_steps · clock_step: multiplied, never summed
   double clock_start = 0, clock_step = 0;
@@ -85,7 +86,6 @@ struct World::Impl {
   std::vector<std::uint32_t> awake, smooth, kinematic, active_joints;
   std::vector<Pose> shape_poses;            // by body slot
   std::vector<const Geometry*> geometries;
-  std::vector<double> way;                  // by body slot: how far any of its points can have come so far, m
   std::vector<std::uint8_t> looked_at;      // by pair: in the last stage `collide`
   std::vector<std::uint32_t> touching;      // pairs that touch and can change, island after island
   std::vector<ActiveContact> active_contacts;  // the same

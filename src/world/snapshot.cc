@@ -34,6 +34,13 @@ void read(Reader& r, std::uint32_t bodies, PairTable& pairs) {
   }
 }
 
+// Until when each pair is not looked at, in the same order.
+std::vector<double> watches_of(const World::Impl& w) {
+  std::vector<double> until;
+  for (const std::uint32_t p : w.pairs.sorted()) until.push_back(w.pairs.watches()[p].until);
+  return until;
+}
+
 void World::Impl::write_state(Writer& w) const {
   Config of_world = config;
   of_world.workers = 1;  // how many there are is the machine's, not the world's
@@ -48,6 +55,8 @@ void World::Impl::write_state(Writer& w) const {
   w.each("sensors", sensors);
   w.named("sensor_memory", sensor_memory);
   w.named("pairs", pairs);
+  w.named("pairs.until", watches_of(*this));
+  w.named("bodies.way", way);
   w.each("bodies.fat_box", proxies);
   w.named("steps", steps);
   w.named("clock_start", clock_start), w.named("clock_step", clock_step), w.named("clock_steps", clock_steps);
@@ -67,6 +76,12 @@ void World::Impl::read_state(Reader& r) {
   for (Sensor& s : sensors) read(r, s);
   r.array(sensor_memory);
   read(r, bodies.size(), pairs);
+  std::vector<double> until;
+  r.array(until);
+  r.array(way);
+  const std::vector<std::uint32_t> all = pairs.sorted();
+  if (until.size() != all.size() || way.size() != bodies.size()) throw Error("data", "has arrays of different lengths");
+  for (std::size_t i = 0; i < all.size(); ++i) pairs.watches()[all[i]].until = until[i];
   proxies.resize(bodies.size());
   for (Proxy& p : proxies) read(r, p);
   steps = r.value<std::int64_t>(), clock_start = r.value<double>(), clock_step = r.value<double>();

@@ -172,7 +172,6 @@ void World::Impl::rebuild() {
   awake_bodies.clear(), moving_kinematic.clear(), awake_joints.clear(), sleepers.clear();
   changed.clear(), searched.clear(), found.clear();
   shape_poses.resize(bodies.size()), geometries.resize(bodies.size());
-  way.assign(bodies.size(), 0);
   joint_graph = {};
   for (std::uint32_t j = 0; j < joints.size(); ++j) {
     if (joints.slots.used(j)) enlist_joint(j);

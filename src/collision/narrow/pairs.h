@@ -37,7 +37,7 @@ struct PlaneProxy {
 };
 
 // How long a pair that does not touch need not be looked at: its shapes are apart until their ways, summed over both, are
-// this long. Changes only the time that collisions take, never their result.
+// this long. State: a look finds an axis, from which the next one begins (AxisCache).
 struct PairWatch {
   std::uint32_t a = 0, b = 0;  // proxies
   double until = -1;           // m; negative: look now
@@ -57,6 +57,7 @@ class PairTable {
   PairRow& operator[](std::uint32_t pair) { return rows_[pair]; }
   const PairRow& operator[](std::uint32_t pair) const { return rows_[pair]; }
   std::span<PairWatch> watches() { return watches_; }  // by number
+  std::span<const PairWatch> watches() const { return watches_; }
   std::span<PairRow> rows() { return rows_; }  // by number; some are not in use
   // All pairs, by key: for saving and looking.
   std::vector<std::uint32_t> sorted() const;
