@@ -161,6 +161,8 @@ struct World::Impl {
   Real step_length() const { return Real(config.dt * double(config.time_factor)); }  // simulated s
   Real contact_margin(std::uint32_t body) const;     // how near a body at rest is felt, m
   Real pair_margin(std::uint32_t a, std::uint32_t b) const;  // how near two must be to get a contact
+  Real pair_turn(std::uint32_t a, std::uint32_t b) const;    // how far they may turn in a step, rad
+  Real smaller_radius(std::uint32_t a, std::uint32_t b) const;  // of those of the two that are dynamic
   Vec3 coming_way(std::uint32_t body) const;
   void settle_boxes();                               // tells the broad phase of all changes
   bool renew_box(std::uint32_t body, bool force);    // keeps the fat box around the body; whether it is another one

@@ -122,10 +122,7 @@ bool keep_manifold(const World::Impl& w, PairRow& row, Real margin) {
   if (abs(turn_a.w) < least_cosine || abs(turn_b.w) < least_cosine) return false;
   const Vec3 shift = (b.position[row.key.a] - place.a.p) - (b.position[row.key.b] - place.b.p);
   const Vec3 to_shape = rotate(place.a.q, b.shape_frame[row.key.a].p), apart = place.a.p - place.b.p;
-  Real radius = std::numeric_limits<Real>::infinity();  // of the smaller body
-  for (const std::uint32_t i : {row.key.a, row.key.b}) {
-    if (b.dynamic(i)) radius = min(radius, b.radius[i]);
-  }
+  const Real radius = w.smaller_radius(row.key.a, row.key.b);
   const Real far = min(Real(0.02) * w.config.length_unit, Real(0.04) * radius);
   // Points along an edge stay where they are while all else of a box turns about it.
   const Vec3 turned = turn(turn_a, turn_b).vector();
@@ -155,7 +152,8 @@ void collide(World::Impl& w, std::uint32_t p) {
   w.looked_at[p] = 1;
   PairRow& row = w.pairs[p];
   if (!w.detects_each_substep() && keep_manifold(w, row, margin)) return;
-  const Real apart = collide_pair(row, *w.geometries[a], w.shape_poses[a], *w.geometries[b], w.shape_poses[b], margin);
+  const Real apart = collide_pair(row, *w.geometries[a], w.shape_poses[a], *w.geometries[b], w.shape_poses[b],
+                                  {margin, w.pair_turn(a, b)});
   constexpr double sure = 0.999;  // more than rounding takes away
   watch.until = apart < 0 ? -1 : way + sure * double(apart);
 }

@@ -169,7 +169,7 @@ ManifoldPoint single_point(const HullView& a, const HullView& b, const Axis& axi
 
 }
 
-void contact_region(const HullView& a, const HullView& b, const Axis& axis, Real margin, Manifold& out) {
+void contact_region(const HullView& a, const HullView& b, const Axis& axis, Reach reach, Manifold& out) {
   const Vec3& n = axis.normal;
   out.normal = -n;
   out.count = 0;
@@ -182,25 +182,25 @@ void contact_region(const HullView& a, const HullView& b, const Axis& axis, Real
   const FacePair on_a{a, b, fa, fb, true}, on_b{b, a, fb, fa, false};
   Points points(a.vertices.size() + b.vertices.size() + a.faces[fa].count + b.faces[fb].count);
   // Where edges cross almost in the plane of a face, more of the other hull than that point is over the face, or will be
-  // before these hulls are looked at again: the margin tells how far they may turn.
-  const Real sine = max(Real(flat_sine), margin / scale), almost = sqrt(max(1 - square(sine), Real(0.5)));
+  // before these hulls are looked at again.
+  const Real almost = 1 - square(reach.turn) / 2;
   const bool crossing = axis.kind == Axis::edges;
   const bool over_a = flat || axis.kind == Axis::face_a || (crossing && cosine_a > almost);
   const bool over_b = flat || axis.kind == Axis::face_b || (crossing && cosine_b > almost);
   if (over_a) {
-    clip_faces(on_a, n, margin, thick, points);
+    clip_faces(on_a, n, reach.margin, thick, points);
   } else if (over_b) {
-    clip_faces(on_b, n, margin, thick, points);
+    clip_faces(on_b, n, reach.margin, thick, points);
   }
-  if (over_a) other_vertices(on_a, n, margin, thick, points);
-  if (over_b) other_vertices(on_b, n, margin, thick, points);
-  if (points.size() > 0) reduce(points.all(), n, margin, scale, out);
+  if (over_a) other_vertices(on_a, n, reach.margin, thick, points);
+  if (over_b) other_vertices(on_b, n, reach.margin, thick, points);
+  if (points.size() > 0) reduce(points.all(), n, reach.turn, scale, out);
   // Hulls that overlap have a contact, even where the faces pass beside what is deepest. Hulls that do not, and whose
   // faces do not lie over each other either, are farther apart than the axis says, unless the two edges that decided it
   // do pass each other.
   if (out.count > 0 && (axis.separation > 0 || lowest(out) <= axis.separation / 2 + thick)) return;
-  const ManifoldPoint point = single_point(a, b, axis, margin);
-  if (point.separation < margin) place_of_one(out) = point;
+  const ManifoldPoint point = single_point(a, b, axis, reach.margin);
+  if (point.separation < reach.margin) place_of_one(out) = point;
 }
 
 }

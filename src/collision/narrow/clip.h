@@ -18,7 +18,7 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-// Points of separation below `margin`; positions, normal (from b to a) in the frame of the two views.
-void contact_region(const HullView& a, const HullView& b, const Axis& axis, Real margin, Manifold& out);
+// Points within reach; positions, normal (from b to a) in the frame of the two views.
+void contact_region(const HullView& a, const HullView& b, const Axis& axis, Reach reach, Manifold& out);
 
 }

@@ -28,13 +28,13 @@ void to_common(const Transform& local, Manifold& m) {
 }
 
 // Returns how far they are apart at least.
-Real collide_hulls(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out) {
+Real collide_hulls(const Placed& a, const Placed& b, Reach reach, AxisCache& cache, Manifold& out) {
   const Quat back = conjugate(a.pose.q);
   const HullView in_a(a.geometry->hull);
   const MovedHull of_b(b.geometry->hull, matrix(back * b.pose.q), rotate(back, b.pose.p - a.pose.p));
-  const Axis axis = find_axis(in_a, of_b, margin, cache);
+  const Axis axis = find_axis(in_a, of_b, reach.margin, cache);
   if (axis.kind == Axis::none) return axis.separation;
-  contact_region(in_a, of_b, axis, margin, out);
+  contact_region(in_a, of_b, axis, reach, out);
   to_common(a.pose, out);
   return axis.separation;
 }
@@ -53,49 +53,49 @@ void collide_round_hull(const Placed& a, const Placed& b, Real margin, Manifold&
 
 // In a's position and axes if it is a hull, in its position and common axes if it is round: the offset of the plane is
 // then all that a far origin could spoil, and pairs.h hands over poses near it.
-void collide_plane(const Placed& a, const Placed& plane, Real margin, Manifold& out) {
+void collide_plane(const Placed& a, const Placed& plane, Reach reach, Manifold& out) {
   const Vec3 n = rotate(plane.pose.q, {0, 1, 0});
   if (a.geometry->kind == ShapeKind::hull) {
     const Real offset = dot(n, plane.pose.p - a.pose.p);
-    collide_hull_plane(a.geometry->hull, {rotate_back(a.pose.q, n), offset}, a.geometry->bounding_radius, margin, out);
+    collide_hull_plane(a.geometry->hull, {rotate_back(a.pose.q, n), offset}, a.geometry->bounding_radius, reach, out);
     to_common(a.pose, out);
     out.normal = n;
   } else {
-    collide_round_plane(round_in_common(a), {n, dot(n, plane.pose.p)}, margin, out);
+    collide_round_plane(round_in_common(a), {n, dot(n, plane.pose.p)}, reach.margin, out);
   }
 }
 
 // b's kind is after that of hulls.
-void collide_beyond_hulls(const Placed& a, const Placed& b, Real margin, Manifold& out) {
+void collide_beyond_hulls(const Placed& a, const Placed& b, Reach reach, Manifold& out) {
   const ShapeKind ka = a.geometry->kind;
   if (is_hollow(b.geometry->kind)) {
-    if (ka == ShapeKind::sphere) collide_sphere_hollow(a, b, margin, out);
+    if (ka == ShapeKind::sphere) collide_sphere_hollow(a, b, reach.margin, out);
   } else if (ka == ShapeKind::half_space) {
-    collide_curved_plane(b, a, margin, out);
+    collide_curved_plane(b, a, reach, out);
     out.normal = -out.normal;
   } else {
-    collide_curved(a, b, margin, out);
+    collide_curved(a, b, reach, out);
   }
 }
 
 // a's kind is not after b's.
 // Returns how far they are apart at least, if that is known.
-Real collide_ordered(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out) {
+Real collide_ordered(const Placed& a, const Placed& b, Reach reach, AxisCache& cache, Manifold& out) {
   const ShapeKind ka = a.geometry->kind, kb = b.geometry->kind;
   assert(!(ka == ShapeKind::half_space && kb == ShapeKind::half_space));
   if (kb > ShapeKind::hull) {
-    collide_beyond_hulls(a, b, margin, out);
+    collide_beyond_hulls(a, b, reach, out);
   } else if (ka == ShapeKind::half_space) {
-    collide_plane(b, a, margin, out);
+    collide_plane(b, a, reach, out);
     out.normal = -out.normal;
   } else if (kb == ShapeKind::half_space) {
-    collide_plane(a, b, margin, out);
+    collide_plane(a, b, reach, out);
   } else if (ka == ShapeKind::hull) {
-    return collide_hulls(a, b, margin, cache, out);
+    return collide_hulls(a, b, reach, cache, out);
   } else if (kb == ShapeKind::hull) {
-    collide_round_hull(a, b, margin, out);
+    collide_round_hull(a, b, reach.margin, out);
   } else {
-    collide_rounds(round_in_common(a), round_in_common(b), margin, out);
+    collide_rounds(round_in_common(a), round_in_common(b), reach.margin, out);
   }
   return 0;
 }
@@ -108,15 +108,15 @@ Real spheres_apart(const Placed& a, const Placed& b) {
 
 }
 
-Real collide(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out) {
+Real collide(const Placed& a, const Placed& b, Reach reach, AxisCache& cache, Manifold& out) {
   out = {};
   const Real least = spheres_apart(a, b);  // thesis (3.28): bounding spheres first
-  if (least > margin) return least;
+  if (least > reach.margin) return least;
   Real apart;
   if (a.geometry->kind <= b.geometry->kind) {
-    apart = collide_ordered(a, b, margin, cache, out);
+    apart = collide_ordered(a, b, reach, cache, out);
   } else {
-    apart = collide_ordered(b, a, margin, cache, out);
+    apart = collide_ordered(b, a, reach, cache, out);
     out.normal = -out.normal;
   }
   return out.count == 0 ? max(Real(0), apart) : Real(0);

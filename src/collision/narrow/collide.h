@@ -13,9 +13,9 @@ struct Placed {
   Transform pose;
 };
 
-// Points of a and b nearer to each other than `margin` (overlap is negative), at most four. Never two half spaces. Where
+// Points of a and b within reach of each other (overlap is negative), at most four. Never two half spaces. Where
 // there are none, returns a distance that a and b are apart at least, else 0.
-Real collide(const Placed& a, const Placed& b, Real margin, AxisCache& cache, Manifold& out);
+Real collide(const Placed& a, const Placed& b, Reach, AxisCache& cache, Manifold& out);
 
 // The distance along the ray at which it enters the geometry, and the surface normal there; both in the geometry's
 // frame. A ray that starts inside does not hit.

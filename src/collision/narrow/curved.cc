@@ -30,19 +30,19 @@ double lowest(const Manifold& m) {
 
 }
 
-void collide_curved(const Placed& pa, const Placed& pb, Real margin, Manifold& out) {
+void collide_curved(const Placed& pa, const Placed& pb, Reach reach, Manifold& out) {
   const Convex a(*pa.geometry, pa.pose), b(*pb.geometry, pb.pose);
-  const Separation s = separation(a, b, double(margin));
-  if (!(s.distance < double(margin))) return;
+  const Separation s = separation(a, b, double(reach.margin));
+  if (!(s.distance < double(reach.margin))) return;
   const double scale = min(a.radius(), b.radius());
   const Vec3d n = clean_normal(a, b, s, scale);
   out.normal = convert<Real>(n);
   const Patch of_a = touching_part(a, -n), of_b = touching_part(b, n);
-  const Overlay how{n, 1e-4 * scale, share(of_a, of_b, a.geometry->kind == ShapeKind::hull), double(margin)};
+  const Overlay how{n, 1e-4 * scale, share(of_a, of_b, a.geometry->kind == ShapeKind::hull), double(reach.margin)};
   SmallArray<ManifoldPoint, 64> points(most_points(of_a, of_b));
   overlay(of_a, of_b, how, points);
   if (points.size() > 0) {
-    reduce(points.all(), out.normal, margin, Real(scale), out);
+    reduce(points.all(), out.normal, reach.turn, Real(scale), out);
     // Else the parts pass beside what is nearest or deepest.
     if (lowest(out) <= (s.distance > 0 ? s.distance : s.distance / 2) + how.thick) return;
   }
@@ -52,14 +52,14 @@ void collide_curved(const Placed& pa, const Placed& pb, Real margin, Manifold& o
   out.count = 1;
 }
 
-void collide_curved_plane(const Placed& placed, const Placed& plane, Real margin, Manifold& out) {
+void collide_curved_plane(const Placed& placed, const Placed& plane, Reach reach, Manifold& out) {
   const Convex a(*placed.geometry, placed.pose);
   const Vec3d n = rotate(normalize(convert<double>(plane.pose.q)), Vec3d{0, 1, 0});
   out.normal = convert<Real>(n);
   const Patch part = touching_part(a, -n);
   const auto add = [&](const Vec3d& p, std::uint32_t feature) {
     const double separation = dot(n, p - convert<double>(plane.pose.p));
-    if (!(separation < double(margin))) return;
+    if (!(separation < double(reach.margin))) return;
     out.points[std::size_t(out.count++)] = {convert<Real>(p), Real(separation), feature};
   };
   if (part.kind == Patch::disc) {

@@ -10,10 +10,10 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-// Each writes points nearer than `margin` and the normal from its second argument to its first.
+// Each writes points within reach and the normal from its second argument to its first.
 // Either convex, one of them curved.
-void collide_curved(const Placed& a, const Placed& b, Real margin, Manifold& out);
-void collide_curved_plane(const Placed& a, const Placed& plane, Real margin, Manifold& out);
+void collide_curved(const Placed& a, const Placed& b, Reach, Manifold& out);
+void collide_curved_plane(const Placed& a, const Placed& plane, Reach, Manifold& out);
 void collide_sphere_hollow(const Placed& sphere, const Placed& hollow, Real margin, Manifold& out);
 
 }

@@ -8,6 +8,13 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
+// What a contact is to hold until the pair is looked at again.
+struct Reach {
+  Reach(Real m, Real t = 0) : margin(m), turn(t) {}
+  Real margin;  // points nearer than this count, m
+  Real turn;    // how far the two may turn against each other until then, rad; 0: hardly
+};
+
 struct ManifoldPoint {
   Vec3 at;                    // in the common frame; half-way between the surfaces where both shapes are flat or both
                               // are round, else on the round shape's surface

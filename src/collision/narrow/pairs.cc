@@ -29,17 +29,17 @@ void match(const Manifold& old, Manifold& now) {
 
 // Both poses relative to that of a, except that a half space is taken at its foot, in double: far from its origin a
 // separation keeps its digits.
-Real collide_placed(const Geometry& ga, const Pose& a, const Geometry& gb, const Pose& b, Real margin,
+Real collide_placed(const Geometry& ga, const Pose& a, const Geometry& gb, const Pose& b, Reach reach,
                     AxisCache& cache, Manifold& out) {
   if (ga.kind == ShapeKind::half_space) {
     const Pose at = foot(a, b.p);
-    const Real apart = collide({&ga, {{}, a.q}}, {&gb, {b.p - at.p, b.q}}, margin, cache, out);
+    const Real apart = collide({&ga, {{}, a.q}}, {&gb, {b.p - at.p, b.q}}, reach, cache, out);
     const Vec3 shift = at.p - a.p;
     for (int i = 0; i < out.count; ++i) out.points[std::size_t(i)].at += shift;
     return apart;
   } else {
     const Pos at = gb.kind == ShapeKind::half_space ? foot(b, a.p).p : b.p;
-    return collide({&ga, {{}, a.q}}, {&gb, {at - a.p, b.q}}, margin, cache, out);
+    return collide({&ga, {{}, a.q}}, {&gb, {at - a.p, b.q}}, reach, cache, out);
   }
 }
 
@@ -146,9 +146,9 @@ bool goes_on(const ProxyPair& key, std::span<const Proxy> proxies, std::span<con
   return may_pair(proxies[key.a], proxies[key.b]);
 }
 
-Real collide_pair(PairRow& row, const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Real margin) {
+Real collide_pair(PairRow& row, const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Reach reach) {
   const Manifold old = row.manifold;
-  const Real apart = collide_placed(of_a, a, of_b, b, margin, row.cache, row.manifold);
+  const Real apart = collide_placed(of_a, a, of_b, b, reach, row.cache, row.manifold);
   match(old, row.manifold);
   const bool touched = (old.bits & Manifold::touching) != 0, touches = row.manifold.count > 0;
   if (touches) row.manifold.bits |= Manifold::touching;

@@ -114,12 +114,12 @@ bool goes_on(const ProxyPair&, std::span<const Proxy> proxies, std::span<const P
 
 // Two bodies' shapes where they are: points relative to a's position, world axes.
 // Returns how far they are apart at least, where they have no point in common, else 0.
-Real collide_placed(const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Real margin,
+Real collide_placed(const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Reach,
                     AxisCache& cache, Manifold& out);
 
 // Collides one row: manifold, matches, bits. Returns how far the shapes are apart at least, if they do not touch and did
 // not before, else −1.
-Real collide_pair(PairRow&, const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Real margin);
+Real collide_pair(PairRow&, const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Reach);
 
 // Collides the rows numbered in `which`: manifold, matches, bits. Rows are independent of each other, so parts of
 // `which` may run in parallel. Geometry and pose (of the shape's frame) by proxy.

@@ -16,15 +16,15 @@ void collide_round_plane(const Round& a, const HalfSpace& plane, Real margin, Ma
   }
 }
 
-void collide_hull_plane(const Polyhedron& hull, const HalfSpace& plane, Real radius, Real margin, Manifold& out) {
+void collide_hull_plane(const Polyhedron& hull, const HalfSpace& plane, Real radius, Reach reach, Manifold& out) {
   out.normal = plane.normal;
   SmallArray<ManifoldPoint, 64> points(hull.vertices.size());
   for (std::uint32_t i = 0; i < hull.vertices.size(); ++i) {
     const Vec3& v = hull.vertices[i];
     const Real s = dot(plane.normal, v) - plane.offset;
-    if (s < margin) points.push({v - plane.normal * (s * Real(0.5)), s, i});
+    if (s < reach.margin) points.push({v - plane.normal * (s * Real(0.5)), s, i});
   }
-  reduce(points.all(), plane.normal, margin, radius, out);
+  reduce(points.all(), plane.normal, reach.turn, radius, out);
 }
 
 }

@@ -13,6 +13,6 @@ struct HalfSpace {
 
 // The normal written is that of the half space: from it to the other shape.
 void collide_round_plane(const Round& a, const HalfSpace& plane, Real margin, Manifold& out);
-void collide_hull_plane(const Polyhedron& hull, const HalfSpace& plane, Real radius, Real margin, Manifold& out);
+void collide_hull_plane(const Polyhedron& hull, const HalfSpace& plane, Real radius, Reach, Manifold& out);
 
 }

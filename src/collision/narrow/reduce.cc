@@ -70,9 +70,9 @@ Next next(const Sight& sight, Real least, Real tie, Real most_turn, Distance dis
 
 class Reduction {
  public:
-  Reduction(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real margin, Real scale, Manifold& out)
+  Reduction(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real turn, Real scale, Manifold& out)
       : normal_(normal),
-        turn_(max(Real(flat_sine), margin / scale)),
+        turn_(max(Real(flat_sine), turn)),
         merge_(merge_share * scale),
         tie_(tie_share * scale),
         first_(deepest(candidates, tie_)),
@@ -143,7 +143,7 @@ class Reduction {
 
 }
 
-void reduce(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real margin, Real scale, Manifold& out) {
+void reduce(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real turn, Real scale, Manifold& out) {
   out.count = 0;
   if (candidates.size() <= 4) {
     for (const ManifoldPoint& p : candidates) {
@@ -151,7 +151,7 @@ void reduce(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real 
     }
     return;
   }
-  Reduction(candidates, normal, margin, scale, out).run();
+  Reduction(candidates, normal, turn, scale, out).run();
 }
 
 }

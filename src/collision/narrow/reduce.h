@@ -9,8 +9,8 @@
 //
 // So the choice goes along the lower hull, as a gift is wrapped (R. Jarvis, 1973): the deepest point; the one that the
 // bodies would touch first, or deepest, if they turned about it; and on either side of the edge between these two the
-// one that they would touch first or deepest if they turned about the edge. They turn by 2.9° (flat.h), or as far as
-// the margin lets what moves turn, or as the first touch needs: of a round bottom the points a little away count, before those nearest that carry no moment,
+// one that they would touch first or deepest if they turned about the edge. They turn by 2.9° (flat.h), by
+// as much as they may until they are looked at again, or as far as the first touch needs: of a round bottom the points a little away count, before those nearest that carry no moment,
 // and of corners that lie level the farthest. The flatter of the two facets is what the bodies stand on, or fall on
 // next. If it has more than three corners, four are kept that span it: the deepest, the farthest from it, and on either
 // side of the line through these two the one that is farthest (the usual choice of game engines, e.g. E. Coumans'
@@ -29,9 +29,9 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-// Writes points and count of `out`: up to four candidates as they are. `margin`: within which they were
-// collected, m. `scale` is the smaller body's radius, m:
+// Writes points and count of `out`: up to four candidates as they are. `turn`: by
+// which the bodies may turn against each other until they are looked at again, rad. `scale` is the smaller body's radius, m:
 // candidates within a ten-thousandth of it are one point, and heights within two of these are equal.
-void reduce(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real margin, Real scale, Manifold& out);
+void reduce(std::span<const ManifoldPoint> candidates, const Vec3& normal, Real turn, Real scale, Manifold& out);
 
 }
