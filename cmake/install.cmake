@@ -34,9 +34,15 @@ function(sudar_install_library)
   install(FILES ${PROJECT_BINARY_DIR}/sudar-config.cmake ${PROJECT_BINARY_DIR}/sudar-config-version.cmake
     cmake/sudar_scenario.cmake DESTINATION ${SUDAR_PACKAGE_FOLDER} COMPONENT development)
 
+  sudar_install_pc(sudar)
+endfunction()
+
+# sudar_install_pc(NAME): cmake/NAME.pc.in for pkg-config.
+function(sudar_install_pc name)
   sudar_relative(SUDAR_PREFIX_FROM_PC ${CMAKE_INSTALL_LIBDIR}/pkgconfig .)
-  set(SUDAR_PC_FLAGS "$<$<BOOL:${SUDAR_DOUBLE}>: -DSUDAR_DOUBLE>")
-  configure_file(cmake/sudar.pc.in sudar.pc.in @ONLY)
-  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/sudar.pc INPUT ${PROJECT_BINARY_DIR}/sudar.pc.in)
-  install(FILES ${PROJECT_BINARY_DIR}/sudar.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+  if(SUDAR_DOUBLE)
+    set(SUDAR_PC_FLAGS " -DSUDAR_DOUBLE")
+  endif()
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 endfunction()

@@ -61,7 +61,7 @@ class Installed(unittest.TestCase):
     def test_the_headers_are_the_public_ones(self):
         def headers(where):
             return sorted(p.relative_to(where) for p in where.rglob("*") if p.is_file())
-        self.assertEqual(headers(self.prefix / "include"), headers(ROOT / "include"))
+        self.assertEqual(headers(self.prefix / "include"), sorted([*headers(ROOT / "include"), pathlib.Path("sudar.h")]))
 
     def test_the_program_finds_its_library_and_its_scenarios(self):
         names = {s["name"] for s in json.loads(run(self.program, "list", "--json"))}
@@ -70,6 +70,10 @@ class Installed(unittest.TestCase):
 
     def test_a_program_built_with_cmake(self):
         self.assertEqual(len(run(self.example("library") / "bouncing_ball").splitlines()), 7)
+
+    @unittest.skipUnless(shutil.which("cc"), "there is no C compiler")
+    def test_a_program_in_c(self):
+        self.assertEqual(run(self.example("c") / "bouncing_ball"), run(self.example("library") / "bouncing_ball"))
 
     def test_a_plugin_built_outside(self):
         where = self.example("plugin")

@@ -4,6 +4,7 @@ import copy
 import math
 import os
 import pathlib
+import pickle
 import re
 import threading
 import time
@@ -214,9 +215,10 @@ class States(unittest.TestCase):
         world.step(20)
         twin, loaded = copy.deepcopy(world), sudar.World()
         loaded.load(world.save())
-        for w in (world, twin, loaded):
+        pickled = pickle.loads(pickle.dumps(world))
+        for w in (world, twin, loaded, pickled):
             w.step(50)
-        self.assertEqual({w.hash() for w in (world, twin, loaded)}, {world.hash()})
+        self.assertEqual({w.hash() for w in (world, twin, loaded, pickled)}, {world.hash()})
         np.testing.assert_array_equal(twin[ball].position, ball.position)
         twin[ball].push((0, 0, 1))
         twin.step()

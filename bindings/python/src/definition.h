@@ -3,34 +3,11 @@
 #pragma once
 
 #include <algorithm>
-#include <typeinfo>
 
 #include "convert.h"
+#include "described.h"
 
 namespace sudar::python {
-
-// A type that accepts every visit; asks whether T is described.
-struct AnyVisitor {
-  template <class F, class Rule>
-  void operator()(const char*, F&, const Rule&) {}
-};
-template <class T>
-concept Described = requires(AnyVisitor v, T& x) {
-  describe(v, x);
-};
-
-template <class T>
-struct OptionalOf : std::false_type {};
-template <class T>
-struct OptionalOf<std::optional<T>> : std::true_type {
-  using Type = T;
-};
-template <class T>
-struct VectorOf : std::false_type {};
-template <class T>
-struct VectorOf<std::vector<T>> : std::true_type {
-  using Type = T;
-};
 
 template <class T>
 struct TagOf {};
@@ -247,7 +224,6 @@ std::string repr_of(const std::string& name, T& definition) {
 }
 
 std::string lower_case(std::string);
-std::string last_name(const std::type_info&);  // of a::b::C: C
 
 template <class T>
 void bind_definition(py::module_& m);
@@ -273,7 +249,7 @@ class PartBinder {
 // Makes the class, and those of its parts, unless they are there.
 template <class T>
 void bind_definition(py::module_& m) {
-  const std::string type = last_name(typeid(T));
+  const std::string type = name_of_type<T>();
   const char* const name = type.c_str();
   if (py::hasattr(m, name)) return;
   PartBinder parts(m);

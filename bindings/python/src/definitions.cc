@@ -1,8 +1,4 @@
-#include <cxxabi.h>
-
 #include <cctype>
-#include <cstdlib>
-#include <memory>
 
 #include "bind.h"
 #include "definition.h"
@@ -19,13 +15,6 @@ std::string text_of(std::string_view definition, std::string_view field) {
     if (t.definition == definition && t.field == field) return t.text;
   }
   return {};
-}
-
-std::string last_name(const std::type_info& type) {
-  const std::unique_ptr<char, decltype(&std::free)> name(abi::__cxa_demangle(type.name(), nullptr, nullptr, nullptr),
-                                                         &std::free);
-  const std::string whole = name.get();
-  return whole.substr(whole.rfind(':') + 1);
 }
 
 namespace {

@@ -214,6 +214,12 @@ void bind_state(WorldClass& c) {
   c.def(
       "motion_hash", [](SharedWorld& w) { return w.get().motion_hash(); },
       "Of the poses and velocities of all bodies.");
+  c.def(py::pickle([](SharedWorld& w) { return as_bytes(w.get().save()); },
+                   [](const py::bytes& data) {
+                     World w;
+                     w.load(from_bytes(data.cast<std::string_view>()));
+                     return std::make_shared<SharedWorld>(std::move(w));
+                   }));
   c.def("__repr__", [](SharedWorld& w) {
     const World& world = w.get();
     return "<World at " + py::repr(py::float_(world.time())).cast<std::string>() +

@@ -15,4 +15,5 @@ x, y, z, w; enumerations are strings. Bad data raises `sudar.Error`, which names
 
 from ._core import *  # noqa: F401, F403
 from ._core import __version__, precision
+from .pictures import picture, png
 from .results import *  # noqa: F401, F403

@@ -46,7 +46,7 @@ def built_tree(settings):
     tree = ROOT / "build" / "python"
     run("cmake", "-S", ROOT, "-B", tree, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DSUDAR_APP=OFF", "-DSUDAR_TESTS=OFF",
         f"-DPython3_EXECUTABLE={sys.executable}")
-    run("cmake", "--build", tree, "--target", "sudar_python")
+    run("cmake", "--build", tree)
     return tree
 
 
