@@ -68,6 +68,11 @@ class Installed(unittest.TestCase):
         self.assertEqual(names, {p.stem for p in (ROOT / "scenarios").glob("*/*.cc")})
         self.assertTrue(json.loads(run(self.program, "run", "train", "--json"))["passed"])
 
+    def test_what_an_installed_program_has_around_it(self):
+        share = self.prefix / "share"
+        self.assertIn("sudar", (share / "man/man1/sudar.1").read_text())
+        self.assertIn("complete", (share / "bash-completion/completions/sudar").read_text())
+
     def test_a_program_built_with_cmake(self):
         self.assertEqual(len(run(self.example("library") / "bouncing_ball").splitlines()), 7)
 

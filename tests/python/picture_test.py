@@ -48,6 +48,16 @@ class Pictures(unittest.TestCase):
         self.assertIn("<td>bodies</td><td>2</td>", shown)
         self.assertIn("<b>train</b>", sudar.Session("train")._repr_html_())
 
+    def test_a_player_has_a_picture_for_every_moment(self):
+        session = sudar.Session("dominoes")
+        player = sudar.Player(session, seconds=1, frames_per_second=10, size=(64, 36))
+        self.assertAlmostEqual(session.world.time, 1, places=9)
+        self.assertEqual(len(player.frames), 11)
+        self.assertGreater(len(set(player.frames)), 5)
+        shown = player._repr_html_()
+        self.assertEqual(shown.count("data:image/png"), 12)  # all, and the first once more
+        self.assertIn('max="10"', shown)
+
     def test_environments_render(self):
         env = sudar.environments.CartPole(render_mode="rgb_array")
         env.reset(seed=1)

@@ -64,6 +64,9 @@ class Definitions(unittest.TestCase):
             (lambda: setattr(sudar.Config(), "dt", None), "dt"),
             (lambda: sudar.World(dt=-1), "dt"),
             (lambda: sudar.World(soft_step={"lanes": 99}), "soft_step.lanes"),
+            (lambda: sudar.World().step(-1), "steps"),
+            (lambda: sudar.World().add(shape=None), "shape"),
+            (lambda: setattr(sudar.World(), "config", {"soft_step": {"lanes": "many"}}), "soft_step.lanes"),
             (lambda: sudar.sphere(-1), "radius"),
             (lambda: sudar.World().add(shape=sudar.sphere(1), material={"restitution": 2}), "material.restitution"),
             (lambda: sudar.World().add(at=(0, 0, 0)), "shape"),
@@ -141,8 +144,11 @@ class Worlds(unittest.TestCase):
         self.assertAlmostEqual(hinge.coordinate, 0.5, places=3)
         self.assertAlmostEqual(hinge.load.force[1], 9.81 * bob.mass, delta=0.01 * bob.mass)
         drive = hinge.drive
-        drive.target = -0.5
+        drive.target = 0.25
         hinge.drive = drive
+        world.step(300)
+        self.assertAlmostEqual(hinge.coordinate, 0.25, places=3)
+        hinge.drive = {"mode": "servo", "target": -0.5, "force": 1e4}
         world.step(300)
         self.assertAlmostEqual(hinge.coordinate, -0.5, places=3)
         with self.assertRaises(sudar.Error) as caught:

@@ -34,6 +34,7 @@ class SharedWorld : public std::enable_shared_from_this<SharedWorld> {
   // advance(world) that many times, each a step, of which the recorders hear.
   template <class F>
   void step(std::int64_t steps, F advance) {
+    if (steps < 0) throw Error("steps", "is " + std::to_string(steps) + ", must not be negative");
     work([&](World& w) {
       for (std::int64_t i = 0; i < steps; ++i) advance(w), tell_recorders();
     });

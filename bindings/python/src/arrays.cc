@@ -47,11 +47,12 @@ class WorldBatch {
   std::int32_t threads() const { return batch_.threads(); }
   WorldPointer at(std::int64_t i) const {
     if (i < 0) i += size();
-    if (i < 0 || i >= size()) throw py::index_error();
+    if (i < 0 || i >= size()) throw py::index_error("there are " + std::to_string(size()) + " worlds");
     return worlds_[std::size_t(i)];
   }
 
   void step(std::int64_t steps) {
+    if (steps < 0) throw Error("steps", "is " + std::to_string(steps) + ", must not be negative");
     bool recorded = false;
     std::vector<World*> worlds;
     std::vector<std::unique_ptr<SharedWorld::Busy>> busy;

@@ -9,10 +9,11 @@
 
 namespace sudar::python {
 
-// A tuple of sudar/results.py.
-template <class... Values>
-py::object result(const char* type, Values&&... values) {
-  return py::module_::import("sudar.results").attr(type)(std::forward<Values>(values)...);
+// A tuple of sudar/results.py. Its class is looked up once, and kept: the interpreter may end before statics do.
+template <TypeText type, class... Values>
+As<type> result(Values&&... values) {
+  static const py::object& make = *new py::object(py::module_::import("sudar.results").attr(type.value));
+  return make(std::forward<Values>(values)...);
 }
 
 template <class Tag>

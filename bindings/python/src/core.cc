@@ -29,6 +29,7 @@ PYBIND11_MODULE(_core, m) {
   m.attr("precision") = sizeof(Real) == 4 ? "float" : "double";
   m.attr("Error") = py::reinterpret_steal<py::object>(
       PyErr_NewExceptionWithDoc("sudar.Error", error_text, PyExc_ValueError, nullptr));
+  m.attr("Error").attr("field") = "";
   py::register_exception_translator(&translate);
   bind_shapes(m);
   declare_handles(m);

@@ -72,13 +72,14 @@ F read_field(py::handle value, const std::string& path) {
     if constexpr (Described<F>) {
       if (py::isinstance<py::dict>(value)) {
         F field{};
-        set_fields(field, py::reinterpret_borrow<py::kwargs>(value), path + ".");
+        set_fields(field, py::reinterpret_borrow<py::kwargs>(value), path.empty() ? path : path + ".");
         return field;
       }
     }
     py::detail::make_caster<F> caster;
-    // Else "no" would be a true bool.
-    if (!caster.load(value, !std::is_same_v<F, bool>)) {
+    constexpr bool none_is_one = requires { F{}.null(); };  // of a handle, not of a class like Shape
+    // Without conversion: else "no" would be a true bool.
+    if ((value.is_none() && !none_is_one) || !caster.load(value, !std::is_same_v<F, bool>)) {
       throw Error(path, "is " + py::repr(value).cast<std::string>() + ", expected " + type_name<F>() +
                             (Described<F> ? " or a dict of its fields" : ""));
     }
@@ -289,5 +290,26 @@ void bind_definition(py::module_& m) {
   c.def(
       "__eq__", [](const T& a, const T& b) { return FieldComparer::same(a, b); }, py::is_operator());
 }
+
+// An argument that is a definition, or a dict of its fields.
+template <class T>
+struct OrFields {
+  T value{};
+};
+
+}
+
+namespace pybind11::detail {
+
+template <class T>
+struct type_caster<sudar::python::OrFields<T>> {
+  using OrFields = sudar::python::OrFields<T>;
+  PYBIND11_TYPE_CASTER(OrFields, const_name("Union[") + make_caster<T>::name + const_name(", Dict[str, Any]]"));
+  bool load(handle source, bool) {
+    if (!isinstance<T>(source) && !isinstance<dict>(source)) return false;
+    value.value = sudar::python::read_field<T>(source, "");
+    return true;
+  }
+};
 
 }

@@ -1,5 +1,6 @@
 // Handles that know their world: what is asked of the world about one body, joint, force or sensor is an attribute.
 #include "bind.h"
+#include "definition.h"
 
 #include <functional>
 
@@ -103,7 +104,7 @@ void bind_body(py::module_& m) {
   c.def(
       "distance", [](const B& b, const B& other) -> As<"Distance"> {
         const SignedDistance d = b.get().distance(b.handle, other.handle);
-        return result("Distance", d.value, d.normal, d.on_a, d.on_b);
+        return result<"Distance">(d.value, d.normal, d.on_a, d.on_b);
       },
       "other"_a, "To the other body's shape, touching or not.");
 }
@@ -137,7 +138,7 @@ void bind_joint(py::module_& m) {
       "load",
       [=](const B& b) -> As<"Load"> {
         const Wrench load = view(b).load();
-        return result("Load", load.force, load.torque);
+        return result<"Load">(load.force, load.torque);
       },
       "that it exerted on its body b in the last sub-step: N and N·m about anchor b");
   c.def_property(
@@ -151,7 +152,7 @@ void bind_joint(py::module_& m) {
             view(b).definition());
         return drive;
       },
-      [](const B& b, const Drive& drive) { b.get().set_drive(b.handle, drive); },
+      [](const B& b, const OrFields<Drive>& drive) { b.get().set_drive(b.handle, drive.value); },
       "of a hinge, slider or muscle: a copy, which may be changed and set");
 }
 

@@ -54,7 +54,7 @@ class SharedReplay {
   py::object step(bool check) {
     std::optional<Divergence> d;
     world->step(1, [&](World&) { d = replay->step(check); });
-    return d ? result("Divergence", d->step, d->stage, d->field, bound(d->body, world)) : py::object(py::none());
+    return d ? py::object(result<"Divergence">(d->step, d->stage, d->field, bound(d->body, world))) : py::none();
   }
 };
 

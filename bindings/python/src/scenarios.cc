@@ -90,7 +90,7 @@ SharedSession make_session(const std::string& name, const py::dict& config, cons
 As<"List[Check]"> checks_of(const Check& check) {
   py::list all;
   for (const Check::Entry& e : check.entries()) {
-    all.append(result("Check", e.name, e.op, e.value, e.limit, e.tolerance, e.unit, e.at, e.pass));
+    all.append(result<"Check">(e.name, e.op, e.value, e.limit, e.tolerance, e.unit, e.at, e.pass));
   }
   return py::object(all);
 }
@@ -104,7 +104,7 @@ void bind_scenarios(py::module_& m) {
       "scenarios", []() -> As<"List[ScenarioInfo]"> {
         py::list all;
         for (const ScenarioEntry* e : catalogue().all())
-          all.append(result("ScenarioInfo", e->name, e->place, e->about, e->seconds));
+          all.append(result<"ScenarioInfo">(e->name, e->place, e->about, e->seconds));
         return py::object(all);
       },
       "All that there are, in the order of the program's browser.");
@@ -130,7 +130,7 @@ void bind_scenarios(py::module_& m) {
           "parameters", [](const SharedSession& s) -> As<"List[Parameter]"> {
             py::list all;
             for (const Params::Entry& p : s.session->params())
-              all.append(result("Parameter", p.name, kind_names[int(p.kind)], p.value, p.low, p.high, p.about));
+              all.append(result<"Parameter">(p.name, kind_names[int(p.kind)], p.value, p.low, p.high, p.about));
             return py::object(all);
           })
       .def_property_readonly(

@@ -30,7 +30,7 @@ void bind_shapes(py::module_& m) {
       .def_property_readonly(
           "mass_properties", [](const Shape& s) -> As<"MassProperties"> {
             const MassProperties p = s.mass_properties();
-            return result("MassProperties", p.volume, p.center, p.inertia);
+            return result<"MassProperties">(p.volume, p.center, p.inertia);
           })
       .def_property_readonly(
           "vertices",

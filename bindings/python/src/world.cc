@@ -15,27 +15,27 @@ using namespace py::literals;
 As<"Events"> events_of(const Events& e, const WorldPointer& w) {
   const auto touches = [&](const std::vector<Events::Touch>& list) {
     py::list out;
-    for (const auto& t : list) out.append(result("Touch", bound(t.a, w), bound(t.b, w)));
+    for (const auto& t : list) out.append(result<"Touch">(bound(t.a, w), bound(t.b, w)));
     return out;
   };
   py::list hits, quarantined;
-  for (const auto& h : e.hits) hits.append(result("Hit", bound(h.a, w), bound(h.b, w), h.at, h.normal, h.speed));
-  for (const auto& q : e.quarantined) quarantined.append(result("Quarantined", bound(q.body, w), q.reason));
-  return result("Events", touches(e.begun), touches(e.ended), hits, quarantined);
+  for (const auto& h : e.hits) hits.append(result<"Hit">(bound(h.a, w), bound(h.b, w), h.at, h.normal, h.speed));
+  for (const auto& q : e.quarantined) quarantined.append(result<"Quarantined">(bound(q.body, w), q.reason));
+  return result<"Events">(touches(e.begun), touches(e.ended), hits, quarantined);
 }
 
 py::object contact_of(const Contact& c, const WorldPointer& w) {
   py::list points;
   for (int i = 0; i < c.count; ++i) {
     const Contact::Point& p = c.points[std::size_t(i)];
-    points.append(result("ContactPoint", p.at, p.separation, p.normal_impulse, p.friction, p.cone_share));
+    points.append(result<"ContactPoint">(p.at, p.separation, p.normal_impulse, p.friction, p.cone_share));
   }
-  return result("Contact", bound(c.a, w), bound(c.b, w), c.normal, points, c.friction_static, c.friction_dynamic,
-                c.restitution, c.slipping);
+  return result<"Contact">(bound(c.a, w), bound(c.b, w), c.normal, points, c.friction_static, c.friction_dynamic,
+                           c.restitution, c.slipping);
 }
 
 py::object hit_of(const RayHit& h, const WorldPointer& w) {
-  return result("RayHit", bound(h.body, w), h.at, h.normal, h.distance);
+  return result<"RayHit">(bound(h.body, w), h.at, h.normal, h.distance);
 }
 
 py::dict profile_of(const Profile& p) {
@@ -47,9 +47,9 @@ py::dict profile_of(const Profile& p) {
 using Anything = std::variant<BoundBody, BoundJoint, BoundForce, BoundSensor>;
 
 py::object ray_cast(const WorldPointer& w, const Pos& from, const Vec3& direction, Real length,
-                    const std::optional<Filter>& filter, bool from_inside, bool all) {
+                    const std::optional<OrFields<Filter>>& filter, bool from_inside, bool all) {
   RayQuery query{.from_inside = from_inside, .all = all};
-  if (filter) query.filter = *filter;
+  if (filter) query.filter = filter->value;
   py::list hits;
   for (const RayHit& h : w->get().ray_cast(from, direction, length, query)) hits.append(hit_of(h, w));
   if (all) return hits;
@@ -95,8 +95,8 @@ void bind_changes(WorldClass& c) {
       "Changes the named fields of the configuration.");
   c.def(
       "set_pair_material",
-      [](SharedWorld& w, const BoundBody& a, const BoundBody& b, const std::optional<Material>& m) {
-        w.get().set_pair_material(a.handle, b.handle, m);
+      [](SharedWorld& w, const BoundBody& a, const BoundBody& b, const std::optional<OrFields<Material>>& m) {
+        w.get().set_pair_material(a.handle, b.handle, m ? std::optional(m->value) : std::nullopt);
       },
       "a"_a, "b"_a, "material"_a,
       "What holds where the two touch, instead of the mix of their materials; None: the mix again.");
@@ -113,7 +113,7 @@ void bind_changes(WorldClass& c) {
 void bind_looks(WorldClass& c) {
   c.def_property(
       "config", [](SharedWorld& w) { return Config(w.get().config()); },
-      [](SharedWorld& w, const Config& config) { w.get().set_config(config); },
+      [](SharedWorld& w, const OrFields<Config>& config) { w.get().set_config(config.value); },
       "the settings: a copy, which may be changed and set");
   c.def_property_readonly(
       "time", [](SharedWorld& w) { return w.get().time(); }, "simulated, s");
@@ -162,7 +162,7 @@ void bind_looks(WorldClass& c) {
   c.def(
       "ray_cast",
       [](const WorldPointer& w, const Pos& from, const Vec3& direction, Real length,
-         const std::optional<Filter>& filter, bool from_inside) -> As<"Optional[RayHit]"> {
+         const std::optional<OrFields<Filter>>& filter, bool from_inside) -> As<"Optional[RayHit]"> {
         return ray_cast(w, from, direction, length, filter, from_inside, false);
       },
       "origin"_a, "direction"_a, "length"_a = infinite, py::kw_only(), "filter"_a = py::none(), "from_inside"_a = false,
@@ -171,7 +171,7 @@ void bind_looks(WorldClass& c) {
   c.def(
       "ray_cast_all",
       [](const WorldPointer& w, const Pos& from, const Vec3& direction, Real length,
-         const std::optional<Filter>& filter, bool from_inside) -> As<"List[RayHit]"> {
+         const std::optional<OrFields<Filter>>& filter, bool from_inside) -> As<"List[RayHit]"> {
         return ray_cast(w, from, direction, length, filter, from_inside, true);
       },
       "origin"_a, "direction"_a, "length"_a = infinite, py::kw_only(), "filter"_a = py::none(), "from_inside"_a = false,
@@ -182,17 +182,17 @@ void bind_looks(WorldClass& c) {
   c.def_property_readonly(
       "energy", [](SharedWorld & w) -> As<"Energy"> {
         const Energy e = w.get().energy();
-        return result("Energy", e.kinetic, e.potential);
+        return result<"Energy">(e.kinetic, e.potential);
       });
   c.def_property_readonly(
       "momentum", [](SharedWorld & w) -> As<"Momentum"> {
         const Momentum p = w.get().momentum();
-        return result("Momentum", p.linear, p.angular);
+        return result<"Momentum">(p.linear, p.angular);
       });
   c.def_property_readonly(
       "quality", [](SharedWorld & w) -> As<"Quality"> {
         const Quality q = w.get().quality();
-        return result("Quality", q.penetration_max, q.penetration_mean, q.joint_gap_max, q.joint_gap_mean);
+        return result<"Quality">(q.penetration_max, q.penetration_mean, q.joint_gap_max, q.joint_gap_mean);
       });
   c.def_property_readonly(
       "profile", [](SharedWorld& w) { return profile_of(w.get().profile()); },
@@ -260,7 +260,7 @@ void bind_world(py::module_& m) {
   m.def(
       "difference", [](const WorldPointer& a, const WorldPointer& b) -> As<"Optional[Difference]"> {
         const std::optional<Difference> d = difference(a->get(), b->get());
-        return d ? result("Difference", d->field, bound(d->body, a), d->index, d->a, d->b) : py::object(py::none());
+        return d ? py::object(result<"Difference">(d->field, bound(d->body, a), d->index, d->a, d->b)) : py::none();
       },
       "a"_a, "b"_a, "The first field in which two worlds differ; None: they go on with the same bits.");
 }

@@ -15,5 +15,5 @@ x, y, z, w; enumerations are strings. Bad data raises `sudar.Error`, which names
 
 from ._core import *  # noqa: F401, F403
 from ._core import __version__, precision
-from .pictures import picture, png
+from .pictures import Player, picture, png
 from .results import *  # noqa: F401, F403

@@ -928,7 +928,7 @@ class World:
         impulse_2007: Union[Impulse2007, Dict[str, Any]] = ...,
         soft_step: Union[SoftStep, Dict[str, Any]] = ...,) -> None:
         """Changes the named fields of the configuration."""
-    def set_pair_material(self, a: Body, b: Body, material: Optional[Material]) -> None:
+    def set_pair_material(self, a: Body, b: Body, material: Optional[Union[Material, Dict[str, Any]]]) -> None:
         """What holds where the two touch, instead of the mix of their materials; None: the mix again."""
     def step(self, steps: int = ..., *, dt: Optional[float] = ...) -> None:
         """Goes on by that many steps of dt [s]; None: of config.dt. Other threads run meanwhile."""
@@ -967,9 +967,9 @@ class World:
         """all touching pairs"""
     def pair_material(self, a: Body, b: Body) -> Material:
         """What holds where the two touch: set, or mixed."""
-    def ray_cast(self, origin: Numbers, direction: Numbers, length: float = ..., *, filter: Optional[Filter] = ..., from_inside: bool = ...) -> Optional[RayHit]:
+    def ray_cast(self, origin: Numbers, direction: Numbers, length: float = ..., *, filter: Optional[Union[Filter, Dict[str, Any]]] = ..., from_inside: bool = ...) -> Optional[RayHit]:
         """The nearest body on the way; direction is a unit vector, length is in m. A ray that starts in a body does not see it, unless from_inside."""
-    def ray_cast_all(self, origin: Numbers, direction: Numbers, length: float = ..., *, filter: Optional[Filter] = ..., from_inside: bool = ...) -> List[RayHit]:
+    def ray_cast_all(self, origin: Numbers, direction: Numbers, length: float = ..., *, filter: Optional[Union[Filter, Dict[str, Any]]] = ..., from_inside: bool = ...) -> List[RayHit]:
         """Every body on the way, nearest first."""
     @property
     def islands(self) -> List[int]:

@@ -2,9 +2,10 @@
 
 import base64
 import html
+import json
 import struct
 import zlib
-from typing import Optional, Sequence, Tuple
+from typing import Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -55,6 +56,42 @@ def _html(world: World, title: str = "World") -> str:
         image = ""  # no OpenGL here: the numbers are still something
     return f"<div><b>{html.escape(title)}</b><br>{image}<table>{cells}</table></div>"
 
+
+class Player:
+    """A run as pictures, which a notebook plays: `sudar.Player(sudar.Session("dominoes"), seconds=3)`. Steps what it is given,
+    a Session or a World, for so many simulated seconds."""
+
+    def __init__(self, run: Union[Session, World], seconds: float, frames_per_second: float = 20,
+                 size: Tuple[int, int] = (480, 270), camera: Optional[Sequence] = None, **marks):
+        world = run if isinstance(run, World) else run.world
+        self.frames_per_second, self.frames = frames_per_second, []
+        start, count = world.time, int(round(seconds * frames_per_second))
+        for i in range(count + 1):
+            while world.time < start + i / frames_per_second - 1e-9:
+                run.step()
+            self.frames.append(png(picture(world, size, camera, **marks)))
+
+    def _repr_html_(self) -> str:
+        images = [f"data:image/png;base64,{base64.b64encode(frame).decode()}" for frame in self.frames]
+        return _PLAYER.format(first=images[0], last=len(images) - 1, images=json.dumps(images), wait=1000 / self.frames_per_second)
+
+
+_PLAYER = """<div><img src="{first}" style="display:block">
+<button>Play</button> <input type="range" min="0" max="{last}" value="0" style="width:400px">
+<script>{{
+  const box = document.currentScript.parentElement, images = {images};
+  const [image, button, slider] = ["img", "button", "input"].map(kind => box.querySelector(kind));
+  const show = () => image.src = images[slider.value];
+  let timer = null;
+  const stop = () => {{ clearInterval(timer); timer = null; button.textContent = "Play"; }};
+  slider.oninput = show;
+  button.onclick = () => {{
+    if (timer) return stop();
+    if (slider.value == slider.max) slider.value = 0;
+    button.textContent = "Stop";
+    timer = setInterval(() => {{ slider.value++; show(); if (slider.value == slider.max) stop(); }}, {wait});
+  }};
+}}</script></div>"""
 
 World._repr_html_ = _html
 Session._repr_html_ = lambda session: _html(session.world, session.name)
