@@ -88,7 +88,7 @@ view::Colouring colouring_of(const std::string& name) {
 
 py::array picture(SharedWorld& w, std::pair<int, int> size, const std::optional<std::vector<py::object>>& camera,
                   const std::string& colour, bool contacts, bool joints, bool forces, bool axes, bool wireframe) {
-  const auto [width, height] = size;
+  const int width = size.first, height = size.second;
   if (width < 1 || height < 1 || width > 8192 || height > 8192) throw Error("size", "must be within 1 and 8192");
   view::Style style{.contacts = contacts,
                     .joints = joints,
