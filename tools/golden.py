@@ -99,7 +99,7 @@ def renew(reason, programs, version):
 
 def version():
     """The version, and the commit on which the change stands."""
-    return f"{(ROOT / 'VERSION').read_text().strip()} on {call('git', 'rev-parse', '--short', 'HEAD').strip()}"
+    return f"{sudar_version()} on {call('git', 'rev-parse', '--short', 'HEAD').strip()}"
 
 
 def main():

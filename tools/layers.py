@@ -14,9 +14,9 @@ import sys
 from sources import ROOT, layers, sources
 
 # The public headers in order, each with the folder it ranks with.
-PUBLIC = {"base.h": "base", "math.h": "math", "shape.h": "geometry", "solids.h": "geometry",
+PUBLIC = {"version.h": "base", "base.h": "base", "math.h": "math", "shape.h": "geometry", "solids.h": "geometry",
           "definitions.h": "geometry", "profile.h": "geometry", "distance.h": "collision", "world.h": "world",
-          "layout.h": "world", "record.h": "world", "difference.h": "world", "scenario.h": "scenario", "session.h": "scenario"}
+          "layout.h": "world", "record.h": "world", "difference.h": "world", "batch.h": "world", "scenario.h": "scenario", "session.h": "scenario"}
 MAX_LINES = 1000
 # Headers that belong to the compiler, not to a library: the floating-point control state and the vector types.
 COMPILER_HEADERS = {"xmmintrin.h", "immintrin.h"}

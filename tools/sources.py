@@ -4,13 +4,17 @@ import pathlib
 import re
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ("include", "src", "scenarios", "verify", "bench", "app", "tests", "tools")
+FOLDERS = ("include", "src", "scenarios", "verify", "bench", "app", "tests", "tools", "examples", "bindings")
 
 
 def sources(root, folders=FOLDERS):
     """All C++ and Python files below the folders, sorted."""
     return sorted(p for folder in folders for p in (root / folder).rglob("*")
                   if p.suffix in (".h", ".cc", ".py") and p.is_file())
+
+
+def sudar_version():
+    return re.search(r'SUDAR_VERSION "(.*)"', (ROOT / "include/sudar/version.h").read_text()).group(1)
 
 
 def without_comments(text):

@@ -64,7 +64,7 @@ int start(int argc, char** argv) {
   WindowOptions window;
   Action chosen;
   app.set_version_flag("--version", std::string("sudar ") + SUDAR_VERSION + (sizeof(Real) == 4 ? " float" : " double"));
-  app.add_option("--scenarios", folder, "folder of the scenario plugins; else $SUDAR_SCENARIOS or ../lib/scenarios");
+  app.add_option("--scenarios", folder, "folder of the scenario plugins; else $SUDAR_SCENARIOS, or those that came with the program");
   app.add_option(
       "scene", window.scene,
       "without a sub-command: open the window on this scenario; without a display draw it, or all, into out/");

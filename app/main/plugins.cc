@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 
 fs::path usual_folder() {
   if (const char* set = std::getenv("SUDAR_SCENARIOS"); set && *set) return set;
-  return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "lib" / "scenarios";
+  return fs::read_symlink("/proc/self/exe").parent_path() / SUDAR_SCENARIOS_FROM_PROGRAM;
 }
 
 // Sorted, so that of two plugins of one name always the same is refused.

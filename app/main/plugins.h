@@ -12,8 +12,9 @@ namespace sudar::app {
 
 class Plugins {
  public:
-  // `folder`: empty for the usual one, $SUDAR_SCENARIOS or ../lib/scenarios beside the program. Throws Error when a
-  // folder that was asked for cannot be read.
+  // `folder`: empty for the usual one, $SUDAR_SCENARIOS or that of the build tree or of the
+  // installation, which is found from where the program is. Throws Error when it
+  // cannot be read.
   explicit Plugins(const std::string& folder);
 
   // Every session made from it must be gone before this object is.

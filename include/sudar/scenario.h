@@ -14,6 +14,7 @@
 #pragma once
 
 #include <sudar/layout.h>
+#include <sudar/version.h>
 #include <sudar/world.h>
 
 #include <cstring>

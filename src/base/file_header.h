@@ -3,6 +3,8 @@
 // What has another layout is refused: its bytes would be taken for other fields.
 #pragma once
 
+#include <sudar/version.h>
+
 #include "base/archive.h"
 
 namespace sudar::inline SUDAR_PRECISION {

@@ -191,7 +191,7 @@ const struct Entry *sudar_scenario(void) { return %s; }
 
 
 def plugins(folder):
-    usual = program.parent.parent / "lib" / "scenarios"
+    usual = program.parent.parent / "lib" / "sudar" / "scenarios"
     if not usual.exists():
         return  # linked in
     here = folder / "plugins"

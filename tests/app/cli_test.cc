@@ -278,7 +278,7 @@ TEST_F(Cli, BenchMeasuresPictures) {
 
 TEST_F(Cli, APluginThatIsNoneIsRefusedByNameAndTheOthersStay) {
   const fs::path plugins = folder / "plugins",
-                 usual = fs::path(SUDAR_PROGRAM).parent_path().parent_path() / "lib/scenarios";
+                 usual = fs::path(SUDAR_PROGRAM).parent_path() / SUDAR_SCENARIOS_FROM_PROGRAM;
   if (!fs::exists(usual)) GTEST_SKIP() << "the scenarios are linked in";
   fs::create_directories(plugins);
   fs::copy_file(usual / "train.so", plugins / "train.so");

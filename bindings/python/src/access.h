@@ -1,0 +1,82 @@
+// A world as Python holds it: whoever owns it stays alive with it, and while a thread steps it, with the interpreter's
+// lock released, every other thread that asks for it is refused instead of reading what is being written.
+#pragma once
+
+#include <sudar/record.h>
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+
+namespace sudar::python {
+
+namespace py = pybind11;
+
+class SharedWorld : public std::enable_shared_from_this<SharedWorld> {
+ public:
+  explicit SharedWorld(World own) : SharedWorld(std::make_shared<World>(std::move(own))) {}
+  // A world that something else owns, a session or a replay.
+  SharedWorld(World& world, std::shared_ptr<void> owner) : own_(std::move(owner)), world_(&world) {}
+
+  World& get() {
+    if (busy_.load(std::memory_order_acquire)) throw std::runtime_error("the world is being stepped by another thread");
+    return *world_;
+  }
+  // Runs f(world) with the interpreter's lock released.
+  template <class F>
+  void work(F f) {
+    const Busy busy(*this);
+    const py::gil_scoped_release released;
+    f(*world_);
+  }
+  // advance(world) that many times, each a step, of which the recorders hear.
+  template <class F>
+  void step(std::int64_t steps, F advance) {
+    if (steps < 0) throw Error("steps", "is " + std::to_string(steps) + ", must not be negative");
+    work([&](World& w) {
+      for (std::int64_t i = 0; i < steps; ++i) advance(w), tell_recorders();
+    });
+  }
+  std::vector<Recorder*> recorders;
+  void tell_recorders() {
+    for (Recorder* r : recorders) r->after_step();
+  }
+
+  class Busy {
+   public:
+    explicit Busy(SharedWorld& w) : w_(w) { w.get(), w_.busy_.store(true, std::memory_order_release); }
+    ~Busy() { w_.busy_.store(false, std::memory_order_release); }
+    Busy(const Busy&) = delete;
+
+   private:
+    SharedWorld& w_;
+  };
+
+ private:
+  explicit SharedWorld(const std::shared_ptr<World>& own) : SharedWorld(*own, own) {}
+  std::shared_ptr<void> own_;
+  World* world_ = nullptr;
+  std::atomic<bool> busy_ = false;
+};
+using WorldPointer = std::shared_ptr<SharedWorld>;
+
+// A handle and, where it is known, the world that it is of. A definition's handles know none.
+template <class Tag>
+struct Bound {
+  Handle<Tag> handle{};
+  WorldPointer world{};
+
+  World& get() const {
+    if (!world)
+      throw std::runtime_error("this handle was read from a definition and knows no world; world[handle] does");
+    return world->get();
+  }
+};
+using BoundBody = Bound<BodyTag>;
+using BoundJoint = Bound<JointTag>;
+using BoundForce = Bound<ForceTag>;
+using BoundSensor = Bound<SensorTag>;
+
+}

@@ -1,0 +1,16 @@
+# cpack --config build/<preset>/CPackConfig.cmake: a Debian package of library, headers and program.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "the developers of Sudar <sudar@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Impulse-based simulation of rigid bodies")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_COMPONENTS_ALL library development program)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1-mesa-dri")  # libepoxy opens them when the program draws
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "ffmpeg, fonts-inter | fonts-dejavu-core")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+include(CPack)
