@@ -18,7 +18,7 @@ import pathlib
 import subprocess
 import sys
 
-from sources import ROOT
+from sources import ROOT, sudar_version
 
 FOLDER = ROOT / "tests" / "golden"
 TARGET = "golden_motions"
