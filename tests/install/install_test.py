@@ -86,19 +86,24 @@ class Installed(unittest.TestCase):
             report = json.loads(run(self.program, "--scenarios", where, "run", "see_saw", "--set", f"left={left}", "--json"))
             self.assertTrue(report["passed"], report["checks"])
 
+    def with_pkg_config(self, compiler, source, package):
+        """What the program says that is built so."""
+        flags = subprocess.run(["pkg-config", "--cflags", "--libs", package], capture_output=True, text=True, check=True,
+                               env={**ENVIRONMENT, "PKG_CONFIG_PATH": str(self.library / "pkgconfig")}).stdout.strip()
+        program = self.folder / f"{package}-program"
+        # By a shell, which takes away the backslash before the space.
+        run("sh", "-c", f"'{compiler}' '{source}' {flags} -o '{program}'")
+        return run("env", f"LD_LIBRARY_PATH={self.library}", program)
+
     @unittest.skipUnless(shutil.which("pkg-config"), "there is no pkg-config")
     def test_a_program_built_with_pkg_config(self):
         """Every public header can be included, too."""
         source = self.folder / "all.cc"
         includes = sorted(p.name for p in (self.prefix / "include/sudar").glob("*.h"))
-        source.write_text("".join(f"#include <sudar/{name}>\n" for name in includes) +
-                          "#include <cstdio>\nint main() { std::puts(sudar::abi_of_this_engine() == sudar::abi_of_this_file() ? SUDAR_VERSION : \"\"); }\n")
-        self.assertIn("sudar.pc", os.listdir(self.library / "pkgconfig"))
-        flags = subprocess.run(["pkg-config", "--cflags", "--libs", "sudar"], capture_output=True, text=True, check=True,
-                               env={**ENVIRONMENT, "PKG_CONFIG_PATH": str(self.library / "pkgconfig")}).stdout.strip()
-        # A shell takes away the backslash before the space.
-        run("sh", "-c", f"'{compiler}' '{source}' {flags} -o '{self.folder}/all'")
-        self.assertEqual(run("env", f"LD_LIBRARY_PATH={self.library}", self.folder / "all").strip(), VERSION)
+        source.write_text("".join(f"#include <sudar/{name}>\n" for name in includes) + "#include <cstdio>\nint main() { "
+                          "std::puts(sudar::abi_of_this_engine() == sudar::abi_of_this_file() ? SUDAR_VERSION : \"\"); }\n")
+        self.assertEqual(self.with_pkg_config(compiler, source, "sudar").strip(), VERSION)
+        self.assertEqual(self.with_pkg_config("cc", ROOT / "examples/c/bouncing_ball.c", "sudar-c").count(" m\n"), 6)
 
     def test_a_part_of_another_project(self):
         where = self.example("subproject", f"-DSUDAR={ROOT}", *definitions)

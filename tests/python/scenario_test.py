@@ -84,6 +84,15 @@ class Recordings(unittest.TestCase):
         with self.assertRaises(IndexError):
             replay.step()
 
+    def test_a_session_is_recorded_to_its_last_step(self):
+        session = sudar.Session("dominoes", seconds=0.37)
+        with sudar.Recording(session.world) as recording:
+            session.run()
+        replay = sudar.Replay(bytes(recording))
+        self.assertEqual(len(replay), session.world.steps)
+        self.assertEqual(set(replay), {None})
+        self.assertEqual(replay.world.hash(), session.world.hash())
+
     def test_a_difference_is_named(self):
         world = sudar.World()
         ball = world.add(shape=sudar.sphere(0.5))

@@ -6,6 +6,7 @@ import os
 import pathlib
 import pickle
 import re
+import signal
 import threading
 import time
 import unittest
@@ -260,6 +261,22 @@ class States(unittest.TestCase):
         self.assertGreater(len(ran), 10)
         self.assertIn("the world is being stepped by another thread", refused)
         self.assertEqual(world.steps, 20)
+
+
+    def test_long_work_can_be_interrupted(self):
+        def ring(*_):
+            raise KeyboardInterrupt
+        before = signal.signal(signal.SIGALRM, ring)
+        try:
+            world = falling_ball()[0]
+            batch = sudar.WorldBatch(world, 2)
+            for step in (world.step, batch.step):
+                signal.setitimer(signal.ITIMER_REAL, 0.1)
+                with self.assertRaises(KeyboardInterrupt):
+                    step(10**12)
+        finally:
+            signal.signal(signal.SIGALRM, before)
+        world.step()  # it is whole
 
 
 class Batches(unittest.TestCase):

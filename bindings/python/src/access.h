@@ -5,6 +5,7 @@
 #include <sudar/record.h>
 
 #include <atomic>
+#include <chrono>
 #include <memory>
 #include <vector>
 
@@ -13,6 +14,27 @@
 namespace sudar::python {
 
 namespace py = pybind11;
+
+// Lets Python end long work: Ctrl+C, or whatever its signals raise. For threads that have released the interpreter's
+// lock.
+class Interrupts {
+ public:
+  void look() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now - last_ < std::chrono::milliseconds(50)) return;
+    last_ = now;
+    const py::gil_scoped_acquire acquired;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+inline std::int64_t checked(std::int64_t steps) {
+  if (steps < 0) throw Error("steps", "is " + std::to_string(steps) + ", must not be negative");
+  return steps;
+}
 
 class SharedWorld : public std::enable_shared_from_this<SharedWorld> {
  public:
@@ -31,13 +53,16 @@ class SharedWorld : public std::enable_shared_from_this<SharedWorld> {
     const py::gil_scoped_release released;
     f(*world_);
   }
-  // advance(world) that many times, each a step, of which the recorders hear.
+  // advance(world) as long as more(), each time a step, of which the recorders hear. Python may interrupt it.
+  template <class More, class F>
+  void run(More more, F advance) {
+    work([&](World& w) {
+      for (Interrupts interrupts; more(); interrupts.look()) advance(w), tell_recorders();
+    });
+  }
   template <class F>
   void step(std::int64_t steps, F advance) {
-    if (steps < 0) throw Error("steps", "is " + std::to_string(steps) + ", must not be negative");
-    work([&](World& w) {
-      for (std::int64_t i = 0; i < steps; ++i) advance(w), tell_recorders();
-    });
+    run([left = checked(steps)]() mutable { return left-- > 0; }, advance);
   }
   std::vector<Recorder*> recorders;
   void tell_recorders() {

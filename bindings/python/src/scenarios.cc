@@ -62,14 +62,8 @@ class SharedSession {
   void step(std::int64_t steps) {
     world->step(steps, [&](World&) { session->step(); });
   }
-  // To its end, in pieces, between which Python sees an interrupt.
   void run() {
-    while (!session->done()) {
-      world->step(16, [&](World&) {
-        if (!session->done()) session->step();
-      });
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    }
+    world->run([&] { return !session->done(); }, [&](World&) { session->step(); });
     session->finish();
   }
 };
