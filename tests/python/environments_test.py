@@ -5,6 +5,7 @@ import math
 import sys
 import types
 import unittest
+import unittest.mock
 
 import numpy as np
 
@@ -75,18 +76,16 @@ class Interface(unittest.TestCase):
         """It is not in Debian: a stand-in with its names shows what is inherited and registered."""
         registered = {}
         stand_in = types.ModuleType("gymnasium")
-        stand_in.Env = type("Env", (environments.Base,), {})
-        stand_in.spaces = types.SimpleNamespace(Box=environments.Box, Discrete=environments.Discrete)
+        stand_in.Env = type("Env", (environments.Env,), {})
+        stand_in.spaces = types.ModuleType("gymnasium.spaces")
+        stand_in.spaces.Box, stand_in.spaces.Discrete = environments.Box, environments.Discrete
         stand_in.register = lambda id, entry_point: registered.update({id: entry_point})
-        sys.modules["gymnasium"] = stand_in
-        try:
+        with unittest.mock.patch.dict(sys.modules, {"gymnasium": stand_in, "gymnasium.spaces": stand_in.spaces}):
             module = importlib.reload(environments)
             self.assertTrue(issubclass(module.CartPole, stand_in.Env))
             self.assertEqual(registered, {f"sudar/{n}-v0": f"sudar.environments:{n}" for n in ("CartPole", "DoublePendulum")})
             module.CartPole().reset(seed=1)
-        finally:
-            del sys.modules["gymnasium"]
-            importlib.reload(environments)
+        importlib.reload(environments)
 
 
 class Mechanics(unittest.TestCase):

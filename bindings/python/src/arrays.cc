@@ -45,6 +45,7 @@ class WorldBatch {
 
   std::int64_t size() const { return std::int64_t(worlds_.size()); }
   std::int32_t threads() const { return batch_.threads(); }
+  py::list list() const { return py::cast(worlds_); }
   WorldPointer at(std::int64_t i) const {
     if (i < 0) i += size();
     if (i < 0 || i >= size()) throw py::index_error("there are " + std::to_string(size()) + " worlds");
@@ -156,6 +157,8 @@ void bind_batch(py::module_& m) {
   c.def(py::init<SharedWorld&, std::int64_t, std::int32_t>(), "world"_a, "count"_a, "threads"_a = 0);
   c.def("__len__", &WorldBatch::size);
   c.def("__getitem__", &WorldBatch::at, "index"_a);
+  c.def(
+      "__iter__", [](const WorldBatch& b) -> As<"Iterator[World]"> { return py::iter(b.list()); });
   c.def_property_readonly("threads", &WorldBatch::threads);
   c.def("step", &WorldBatch::step, "steps"_a = 1,
         "Every world by that many steps of its config.dt. Other threads of Python run meanwhile.");

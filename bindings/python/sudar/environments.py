@@ -16,85 +16,17 @@ import numpy as np
 import sudar
 
 try:
-    import gymnasium
+    import gymnasium  # type: ignore
+    from gymnasium import Env  # type: ignore
+    from gymnasium.spaces import Box, Discrete  # type: ignore
 except ImportError:
     gymnasium = None
-
-if gymnasium:
-    Base, Box, Discrete = gymnasium.Env, gymnasium.spaces.Box, gymnasium.spaces.Discrete
-else:
-    class _Space:
-        """What Gymnasium's spaces of the same names do, as far as it is needed here."""
-
-        def __init__(self, shape, dtype, seed):
-            self.shape, self.dtype = tuple(shape), np.dtype(dtype)
-            self.seed(seed)
-
-        def seed(self, seed: Optional[int] = None):
-            self.np_random = np.random.default_rng(seed)
-
-        def __contains__(self, x):
-            return self.contains(x)
-
-    class Box(_Space):
-        """Arrays between `low` and `high`, which are numbers or arrays."""
-
-        def __init__(self, low, high, shape=None, dtype=np.float32, seed=None):
-            super().__init__(np.shape(low) if shape is None else shape, dtype, seed)
-            self.low = np.full(self.shape, low, self.dtype)
-            self.high = np.full(self.shape, high, self.dtype)
-
-        def sample(self) -> np.ndarray:
-            """Even between the bounds; normal where there are none."""
-            bounded = np.isfinite(self.low) & np.isfinite(self.high)
-            even = self.np_random.uniform(np.where(bounded, self.low, 0), np.where(bounded, self.high, 0))
-            return np.where(bounded, even, self.np_random.normal(size=self.shape)).astype(self.dtype)
-
-        def contains(self, x) -> bool:
-            return (isinstance(x, np.ndarray) and x.shape == self.shape and np.can_cast(x.dtype, self.dtype)
-                    and bool(np.all((self.low <= x) & (x <= self.high))))
-
-    class Discrete(_Space):
-        """The whole numbers from 0 to n − 1."""
-
-        def __init__(self, n: int, seed=None):
-            super().__init__((), np.int64, seed)
-            self.n = n
-
-        def sample(self) -> np.int64:
-            return self.np_random.integers(self.n)
-
-        def contains(self, x) -> bool:
-            return isinstance(x, (int, np.integer)) and 0 <= x < self.n
-
-    class Base:
-        """What an environment inherits."""
-        metadata: Dict[str, Any] = {"render_modes": []}
-        render_mode: Optional[str] = None
-        spec = None
-        np_random: np.random.Generator
-
-        def reset(self, *, seed: Optional[int] = None, options: Optional[Dict[str, Any]] = None):
-            if seed is not None or not hasattr(self, "np_random"):
-                self.np_random = np.random.default_rng(seed)
-
-        @property
-        def unwrapped(self):
-            return self
-
-        def close(self):
-            pass
-
-        def __enter__(self):
-            return self
-
-        def __exit__(self, *args):
-            self.close()
+    from .spaces import Box, Discrete, Env
 
 
-class Environment(Base):
+class Environment(Env):
     """A world in which something acts. Derived classes build it and say what is seen, done and rewarded."""
-    metadata = {"render_modes": ["rgb_array"], "render_fps": 50}
+    metadata: Dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 50}
     dt = 0.02
     """s, of a step"""
     length = 500

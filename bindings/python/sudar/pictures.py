@@ -22,10 +22,10 @@ def picture(world: World, size: Tuple[int, int] = (640, 360), camera: Optional[S
     points, joints, weights and the forces of contacts and joints, the bodies' axes; or edges only.
     """
     try:
-        from . import _view
+        from . import _view  # type: ignore
     except ImportError as e:
         raise RuntimeError("this build of sudar draws no pictures: it was made without libepoxy, EGL or libpng") from e
-    return _view.picture(world, tuple(size), camera, colour, contacts, joints, forces, axes, wireframe)
+    return _view.picture(world, size, camera, colour, contacts, joints, forces, axes, wireframe)
 
 
 def png(pixels: np.ndarray) -> bytes:
@@ -93,5 +93,5 @@ _PLAYER = """<div><img src="{first}" style="display:block">
   }};
 }}</script></div>"""
 
-World._repr_html_ = _html
-Session._repr_html_ = lambda session: _html(session.world, session.name)
+setattr(World, "_repr_html_", _html)
+setattr(Session, "_repr_html_", lambda session: _html(session.world, session.name))

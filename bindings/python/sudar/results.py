@@ -131,7 +131,8 @@ class Difference(NamedTuple):
     """The first field in which two worlds differ, with both values as JSON."""
     field: str
     body: Optional["Body"]
-    index: int
+    row: int
+    """of its table: the number of the body, joint or pair; −1: it has no table"""
     a: str
     b: str
 

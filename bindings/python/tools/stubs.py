@@ -16,7 +16,7 @@ import sudar.results as results
 TARGET = pathlib.Path(__file__).resolve().parents[1] / "sudar/_core.pyi"
 HEAD = '''# Written by bindings/python/tools/stubs.py.
 from os import PathLike
-from typing import Any, Dict, List, Literal, Optional, Sequence, Union, overload
+from typing import Any, Dict, Iterator, List, Literal, Optional, Sequence, Union, overload
 
 import numpy as np
 
