@@ -46,16 +46,21 @@ class Colours {
     for (std::uint32_t k = 0; k < count; ++k) order_[next[colour_[k]]++] = k;
   }
 
-  // visit(contact, group, lane) in the order of solving: groups of at most `lanes` that share no body.
-  template <class Visit>
-  void each_group(std::uint32_t lanes, Visit visit) const {
+  // visit(contact, group, lane) in the order of solving: groups of at most `lanes` that share no body. Inside a colour,
+  // where the order does not matter, contacts of class(k) 0 come first, then 1, then 2: most groups are of one class.
+  template <class Class, class Visit>
+  void each_group(std::uint32_t lanes, Class class_of, Visit visit) const {
     std::uint32_t group = 0;
     for (std::uint32_t colour = 0; colour <= colours; ++colour) {
-      const std::uint32_t most = colour == crowded ? 1 : lanes;
+      const bool sorted = colour != crowded;
+      const std::uint32_t most = sorted ? lanes : 1;
       std::uint32_t lane = 0;
-      for (const std::uint32_t k : of(colour)) {
-        if (lane == most) lane = 0, ++group;
-        visit(k, group, lane++);
+      for (int c = 0; c < (sorted ? 3 : 1); ++c) {
+        for (const std::uint32_t k : of(colour)) {
+          if (sorted && class_of(k) != c) continue;
+          if (lane == most) lane = 0, ++group;
+          visit(k, group, lane++);
+        }
       }
       if (lane > 0) ++group;
     }

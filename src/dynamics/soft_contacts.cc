@@ -111,8 +111,10 @@ class Preparation : public Answers {
 
   void lay_out() {
     w_.rows.clear();
-    w_.colours.each_group(SoftLanes::count, [&](std::uint32_t k, std::uint32_t group, std::uint32_t lane) {
-      if (lane == 0) w_.rows.emplace_back();
+    const auto points = [&](std::uint32_t k) { return view(w_.contacts[k]).manifold->count; };
+    const auto by_points = [&](std::uint32_t k) { return points(k) > 2 ? 0 : points(k) == 2 ? 1 : 2; };
+    w_.colours.each_group(SoftLanes::count, by_points, [&](std::uint32_t k, std::uint32_t group, std::uint32_t lane) {
+      if (lane == 0) w_.rows.emplace_back().most_points = std::uint32_t(points(k) > 2 ? 4 : points(k));
       ++w_.rows[group].used;
       w_.contacts[k].group = group, w_.contacts[k].lane = lane;
     });

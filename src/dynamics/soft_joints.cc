@@ -20,7 +20,7 @@ class JointRowsOfBatch : public SoftBatch {
       return std::array{answers(number(in_.joint_state.a[w_.joints[k]])), answers(number(in_.joint_state.b[w_.joints[k]]))};
     });
     w_.joint_places.resize(w_.joints.size());
-    w_.colours.each_group(SoftLanes::count, [&](std::uint32_t k, std::uint32_t group, std::uint32_t lane) {
+    w_.colours.each_group(SoftLanes::count, [](std::uint32_t) { return 0; }, [&](std::uint32_t k, std::uint32_t group, std::uint32_t lane) {
       if (lane == 0) w_.ball_rows.emplace_back();
       w_.joint_places[k] = {group, lane};
       ++w_.ball_rows[group].used;

@@ -26,13 +26,19 @@ class SoftPasses : SoftPair<W> {
               each(motions, n, [&]<int w>(SoftMotion& m, int first) { SoftMotions<w>(first, bodies, set).settle(m); });
             },
             [](const SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
-              each(rows, n, [&]<int w>(const SoftRows& r, int first) { SoftPasses<w>(r, first, bodies, set).warm(r); });
+              each(rows, n, [&]<int w>(const SoftRows& r, int first) {
+                by_points(r, [&]<int points> { SoftPasses<w>(r, first, bodies, set).template warm<points>(r); });
+              });
             },
             [](SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
-              each(rows, n, [&]<int w>(SoftRows& r, int first) { SoftPasses<w>(r, first, bodies, set).solve(r); });
+              each(rows, n, [&]<int w>(SoftRows& r, int first) {
+                by_points(r, [&]<int points> { SoftPasses<w>(r, first, bodies, set).template solve<points>(r); });
+              });
             },
             [](SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
-              each(rows, n, [&]<int w>(SoftRows& r, int first) { SoftPasses<w>(r, first, bodies, set).relax(r); });
+              each(rows, n, [&]<int w>(SoftRows& r, int first) {
+                by_points(r, [&]<int points> { SoftPasses<w>(r, first, bodies, set).template relax<points>(r); });
+              });
             },
             [](const SoftBallRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
               each(rows, n, [&]<int w>(const SoftBallRows& r, int first) { SoftBalls<w>(r, first, bodies, set).warm(r); });
@@ -59,6 +65,13 @@ class SoftPasses : SoftPair<W> {
       }
     }
   }
+  // Most contacts of round bodies have one point, and are spared the arithmetic of four.
+  template <class Visit>
+  [[gnu::always_inline]] static void by_points(const SoftRows& r, Visit visit) {
+    if (r.most_points == 4) visit.template operator()<4>();
+    else if (r.most_points == 2) visit.template operator()<2>();
+    else visit.template operator()<1>();
+  }
   template <int a, int b>
   static constexpr int smaller = a < b ? a : b;
 
@@ -68,9 +81,11 @@ class SoftPasses : SoftPair<W> {
       : Base(first, bodies, r.a, r.b), set_(set), n_(get(r.n)), t1_(get(r.t1)), t2_(cross(n_, t1_)), ra_(get(r.ra)),
         rb_(get(r.rb)) {}
 
+  template <int points>
   [[gnu::always_inline]] void warm(const SoftRows& r) {
     Vec press, slide;
-    for (const SoftRows::Point& p : r.points) {
+    for (int i = 0; i < points; ++i) {
+      const SoftRows::Point& p = r.points[i];
       const V x = get(p.x), y = get(p.y), normal = get(p.normal), f1 = get(p.friction_1), f2 = get(p.friction_2);
       press += Vec{normal, x * normal, y * normal};
       slide += Vec{f1, f2, x * f2 - y * f1};
@@ -79,14 +94,16 @@ class SoftPasses : SoftPair<W> {
     if (r.turning) turn({get(r.spin), get(r.roll_1), get(r.roll_2)});
     save();
   }
+  template <int points>
   [[gnu::always_inline]] void solve(SoftRows& r) {
-    press_points<true>(r);
+    press_points<points, true>(r);
     save();
   }
+  template <int points>
   [[gnu::always_inline]] void relax(SoftRows& r) {
-    press_points<false>(r);
-    rub_points(r);
-    if (r.turning) resist_turning(r);
+    press_points<points, false>(r);
+    rub_points<points>(r);
+    if (r.turning) resist_turning<points>(r);
     save();
   }
 
@@ -96,15 +113,15 @@ class SoftPasses : SoftPair<W> {
     return {dot(u, n_), -dot(w, t2_), dot(w, t1_)};
   }
 
-  template <bool undo_overlap>
+  template <int points, bool undo_overlap>
   [[gnu::always_inline]] void press_points(SoftRows& r) {
     way_a_ = Base::way_of_a(), way_b_ = Base::way_of_b();
     const Vec moved = pressing(way_a_.shift, way_a_.turn, way_b_.shift, way_b_.turn);
     Vec g = pressing(on_a_.v, on_a_.w, on_b_.v, on_b_.w);
     const Symmetric3<V> response = get(r.press);
     const V per_h = wide::all<V>(1 / set_.h), zero{}, lift = get(r.lift);
-    V x[4], y[4], bias[4], mass[4], leak[4], reference[4], normal[4];
-    for (int i = 0; i < 4; ++i) {
+    V x[points], y[points], bias[points], mass[points], leak[points], reference[points], normal[points];
+    for (int i = 0; i < points; ++i) {
       const SoftRows::Point& p = r.points[i];
       x[i] = get(p.x), y[i] = get(p.y), reference[i] = get(p.reference), normal[i] = get(p.normal);
       mass[i] = get(p.normal_mass);
@@ -122,7 +139,7 @@ class SoftPasses : SoftPair<W> {
     }
     Vec sum;
     for (int sweep = 0; sweep < 2; ++sweep) {
-      for (int i = 0; i < 4; ++i) {
+      for (int i = 0; i < points; ++i) {
         V next = normal[i] - mass[i] * (g.x + (x[i] * g.y + y[i] * g.z) + bias[i]);
         if constexpr (undo_overlap) next -= leak[i] * (normal[i] - reference[i]);
         next = wide::larger(next, zero);
@@ -133,11 +150,12 @@ class SoftPasses : SoftPair<W> {
         g += response * step;
       }
     }
-    for (int i = 0; i < 4; ++i) put(r.points[i].normal, normal[i]);
+    for (int i = 0; i < points; ++i) put(r.points[i].normal, normal[i]);
     push(sum, {});
   }
 
   // Friction, point by point, each as far as its own normal impulse lets it hold.
+  template <int points>
   [[gnu::always_inline]] void rub_points(SoftRows& r) {
     arms_of_friction(r);
     const Vec u = (on_a_.v - on_b_.v) + (cross(on_a_.w, ra_) - cross(on_b_.w, rb_));
@@ -146,7 +164,8 @@ class SoftPasses : SoftPair<W> {
     const V coefficient = get(r.friction), one = wide::all<V>(1);
     Vec before, after;
     V load{};
-    for (SoftRows::Point& p : r.points) {
+    for (int i = 0; i < points; ++i) {
+      SoftRows::Point& p = r.points[i];
       const V x = get(p.x), y = get(p.y), mass = get(p.tangent_mass), f1 = get(p.friction_1), f2 = get(p.friction_2);
       V next_1 = f1 - mass * (g.x - y * g.z), next_2 = f2 - mass * (g.y + x * g.z);
       const V normal = get(p.normal), most = coefficient * normal, size = next_1 * next_1 + next_2 * next_2;
@@ -162,7 +181,8 @@ class SoftPasses : SoftPair<W> {
     const V edge = coefficient * load * wide::all<V>(Real(0.999)), dynamic = get(r.friction_dynamic);
     const auto slips = after.x * after.x + after.y * after.y > edge * edge;
     const V left = slips ? dynamic / coefficient : one;
-    for (SoftRows::Point& p : r.points) {
+    for (int i = 0; i < points; ++i) {
+      SoftRows::Point& p = r.points[i];
       put(p.friction_1, get(p.friction_1) * left), put(p.friction_2, get(p.friction_2) * left);
     }
     put(r.friction, slips ? dynamic : coefficient);
@@ -193,9 +213,10 @@ class SoftPasses : SoftPair<W> {
     rb_ = choose(rb_, after, turned);
   }
 
+  template <int points>
   [[gnu::always_inline]] void resist_turning(SoftRows& r) {
     V load{};
-    for (const SoftRows::Point& p : r.points) load += get(p.normal);
+    for (int i = 0; i < points; ++i) load += get(r.points[i].normal);
     const Vec w = on_a_.w - on_b_.w;
     const V spin = get(r.spin), roll_1 = get(r.roll_1), roll_2 = get(r.roll_2), roll_mass = get(r.roll_mass);
     const V most = get(r.spinning) * load, roll_most = get(r.rolling) * load;

@@ -70,6 +70,7 @@ struct SoftRows {
   Point points[4];
   std::uint32_t a[V::count]{}, b[V::count]{};      // numbers of the bodies
   std::uint32_t used = 0;                          // lanes, the first ones
+  std::uint32_t most_points = 4;                   // 1, 2 or 4: no contact has more
   bool turning = false;                            // some contact resists turning
 };
 
