@@ -42,9 +42,11 @@ class SoftMotions : SoftAccess<W> {
     Vec spin = scale(body_momentum, inverse);
     const V angle = wide::root(dot(spin, spin)) * h_;
     put(m.orientation, turned(q, body_momentum, spin, inertia));
-    for (int lane = 0; lane < W; ++lane) {
-      const auto at = std::uint32_t(first_ + lane);
-      if (!(angle[lane] < Real(0.25))) {
+    const auto slow = angle < wide::all<V>(Real(0.25));
+    if (wide::any(~slow)) {
+      for (int lane = 0; lane < W; ++lane) {
+        if (slow[lane]) continue;
+        const auto at = std::uint32_t(first_ + lane);
         m.orientation.x[at] = q.x[lane], m.orientation.y[at] = q.y[lane];
         m.orientation.z[at] = q.z[lane], m.orientation.w[at] = q.w[lane];
         turn_in_parts(m, at, h_[0]);
@@ -57,8 +59,7 @@ class SoftMotions : SoftAccess<W> {
     save_velocity(m, v, turned_spin);
     move(m, &SoftBody::shift, v);
     const Vec turn = move(m, &SoftBody::turn, w);
-    const V squared = dot(turn, turn), most = get(m.most_turn);
-    for (int lane = 0; lane < W; ++lane) m.turned_far |= squared[lane] > most[lane];
+    m.turned_far |= wide::any(dot(turn, turn) > get(m.most_turn));
   }
 
   [[gnu::always_inline]] void settle(SoftMotion& m) const {

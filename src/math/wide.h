@@ -48,6 +48,20 @@ template <class V>
   return r;
 }
 
+// Whether some lane of a comparison is true.
+template <class Mask>
+[[gnu::always_inline]] inline bool any(const Mask& mask) {
+  constexpr int words = int(sizeof(Mask) / sizeof(long long));
+  if constexpr (words == 0) {
+    return mask[0] != 0;
+  } else {
+    long long word[words], some = 0;
+    __builtin_memcpy(word, &mask, sizeof mask);
+    for (int i = 0; i < words; ++i) some |= word[i];
+    return some != 0;
+  }
+}
+
 // Lanes of a, then those of b.
 template <class V>
 [[gnu::always_inline]] inline Wide<2 * lanes_of<V>> join(const V& a, const V& b) {

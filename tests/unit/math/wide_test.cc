@@ -34,6 +34,17 @@ void roots_are_exact() {
   for (int lane = 0; lane < W; ++lane) EXPECT_EQ(r[lane], sqrt(x[lane]));
 }
 
+template <int W>
+void any_sees_each_lane() {
+  const Wide<W> none{};
+  EXPECT_FALSE(wide::any(none > wide::all<Wide<W>>(0)));
+  for (int lane = 0; lane < W; ++lane) {
+    Wide<W> one{};
+    one[lane] = 1;
+    EXPECT_TRUE(wide::any(one > none)) << W << ' ' << lane;
+  }
+}
+
 }
 
 // Wider ones are compiled for processors that have them; on others the compiler makes narrow ones of them.
@@ -44,4 +55,11 @@ TEST(Wide, FoursAreTransposedAndPutBack) {
 TEST(Wide, RootsAreThoseOfEachLane) {
   roots_are_exact<1>();
   roots_are_exact<4>();
+}
+
+TEST(Wide, AnySeesEachLane) {
+  any_sees_each_lane<1>();
+  any_sees_each_lane<4>();
+  any_sees_each_lane<8>();
+  any_sees_each_lane<16>();
 }
