@@ -52,6 +52,7 @@ class Colours {
   void each_group(std::uint32_t lanes, Class class_of, Visit visit) const {
     std::uint32_t group = 0;
     for (std::uint32_t colour = 0; colour <= colours; ++colour) {
+      if (of(colour).empty()) continue;
       const bool sorted = colour != crowded;
       const std::uint32_t most = sorted ? lanes : 1;
       std::uint32_t lane = 0;
@@ -62,7 +63,7 @@ class Colours {
           visit(k, group, lane++);
         }
       }
-      if (lane > 0) ++group;
+      ++group;
     }
   }
 

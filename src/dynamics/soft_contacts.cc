@@ -8,83 +8,10 @@ constexpr Real upright = Real(0.3);         // cosine between normal and vertica
 constexpr Real follow = Real(0.01);         // share by which a reference follows a growing load in a step
 constexpr std::uint32_t none = SoftContact::none;
 
-// How three velocities answer three impulses: matrices of SoftRows.
-struct Response {
-  Real xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-  void add(Real m0, Real m1, const Mat3& inertia, const Vec3& j0, const Vec3& j1, const Vec3& j2) {
-    const Vec3 i0 = inertia * j0, i1 = inertia * j1, i2 = inertia * j2;
-    xx += m0 + dot(j0, i0), xy += dot(j0, i1), xz += dot(j0, i2);
-    yy += m1 + dot(j1, i1), yz += dot(j1, i2), zz += dot(j2, i2);
-  }
-  void put(Symmetric3<SoftLanes>& to, std::uint32_t lane) const {
-    to.xx[lane] = xx, to.xy[lane] = xy, to.xz[lane] = xz, to.yy[lane] = yy, to.yz[lane] = yz, to.zz[lane] = zz;
-  }
-  // Along the normal at a point.
-  Real at(Real x, Real y) const { return xx + 2 * (x * xy + y * xz) + x * x * yy + 2 * x * y * yz + y * y * zz; }
-  // The larger eigenvalue along the surface at a point.
-  Real largest(Real x, Real y) const {
-    const Real k11 = xx - 2 * y * xz + y * y * zz, k22 = yy + 2 * x * yz + x * x * zz;
-    const Real k12 = xy + x * xz - y * yz - x * y * zz;
-    return (k11 + k22) * Real(0.5) + sqrt(square((k11 - k22) * Real(0.5)) + square(k12));
-  }
-};
-
-// A batch that knows how bodies answer impulses at contacts.
-class Answers : public SoftBatch {
- public:
-  explicit Answers(const SoftBatch& batch) : SoftBatch(batch) {}
-
-  // After a drift, for contacts of bodies that have turned far.
-  void renew() {
-    bool far = false;
-    for (SoftMotion& m : w_.motions) far |= std::exchange(m.turned_far, false);
-    if (!far) return;
-    for (SoftContact& c : w_.contacts) {
-      if (!turned_far(c.a) && !turned_far(c.b)) continue;
-      answer(c);
-      if (row_of(c).turning) answer_turning(c);
-    }
-  }
-
- protected:
-  // Needs the contact's arms and points.
-  void answer(const SoftContact& c) {
-    SoftRows& row = row_of(c);
-    const std::uint32_t lane = c.lane;
-    const Vec3 n = get(row.n, lane), t1 = get(row.t1, lane), t2 = cross(n, t1);
-    Response press, slide;
-    const auto side = [&](const SoftBody& on, const Vec3& r) {
-      if (!(on.inverse_mass > 0)) return;
-      const Mat3 inertia = inverse_inertia(on);
-      press.add(on.inverse_mass, 0, inertia, cross(r, n), -t2, t1);
-      slide.add(on.inverse_mass, on.inverse_mass, inertia, cross(r, t1), cross(r, t2), n);
-    };
-    side(w_.bodies[c.a], get(row.ra, lane)), side(w_.bodies[c.b], get(row.rb, lane));
-    press.put(row.press, lane), slide.put(row.slide, lane);
-    for (std::uint32_t k = 0; k < c.count; ++k) {
-      SoftRows::Point& p = row.points[k];
-      p.normal_mass[lane] = 1 / press.at(p.x[lane], p.y[lane]);
-      p.tangent_mass[lane] = 1 / slide.largest(p.x[lane], p.y[lane]);
-    }
-  }
-  // The same for moments about its normal and tangents.
-  void answer_turning(const SoftContact& c) {
-    SoftRows& row = row_of(c);
-    const Real yy = row.press.yy[c.lane], zz = row.press.zz[c.lane], yz = row.press.yz[c.lane];
-    row.spin_mass[c.lane] = 1 / row.slide.zz[c.lane];
-    row.roll_mass[c.lane] = 1 / ((yy + zz) * Real(0.5) + sqrt(square((yy - zz) * Real(0.5)) + square(yz)));
-  }
-
- private:
-  bool turned_far(std::uint32_t n) const {
-    return n >= first_mover() && length_squared(w_.bodies[n].turn) > motion(n).most_turn[lane_of(n)];
-  }
-};
-
-class Preparation : public Answers {
+class Preparation : public SoftBatch {
  public:
   explicit Preparation(const SoftBatch& batch)
-      : Answers(batch), between_bodies_(softness(frequency(), set_.contact_damping, h_)),
+      : SoftBatch(batch), between_bodies_(softness(frequency(), set_.contact_damping, h_)),
         on_ground_(softness(2 * frequency(), Real(0.5) * set_.contact_damping, h_)) {}
 
   void run(std::span<const std::uint32_t> islands) {
@@ -171,12 +98,12 @@ class Preparation : public Answers {
       SoftRows::Point& p = row.points[k];
       p.x[lane] = x, p.y[lane] = y;
       p.separation[lane] = manifold.points[k].separation;
+      p.normal_mass[lane] = 1;
       const Real approach = -dot(u + cross(w, d), n);
       const Vec3 along = u + cross(w, d) + surfaces;
       c.sliding = max(c.sliding, length(along - n * dot(along, n)));
       c.approach = k == 0 ? approach : max(c.approach, approach);
     }
-    answer(c);
     if (from.material.restitution > 0) w_.bouncing.push_back(std::uint32_t(&c - w_.contacts.data()));
     stand(c, n, ra, rb, t1, t2, row);
   }
@@ -275,7 +202,6 @@ class Preparation : public Answers {
     if (m.rolling > 0 || m.spinning > 0) {
       row.turning = true;
       row.rolling[lane] = m.rolling, row.spinning[lane] = m.spinning;
-      answer_turning(c);
       if (!began) {
         row.spin[lane] = dot(stored.turning, manifold.normal);
         row.roll_1[lane] = dot(stored.turning, t1), row.roll_2[lane] = dot(stored.turning, t2);
@@ -326,7 +252,6 @@ class Storage : public SoftBatch {
 }
 
 void prepare_contacts(const SoftBatch& batch, std::span<const std::uint32_t> islands) { Preparation(batch).run(islands); }
-void renew_answers(const SoftBatch& batch) { Answers(batch).renew(); }
 void store_contacts(const SoftBatch& batch) { Storage(batch).run(); }
 
 }

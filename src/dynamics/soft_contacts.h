@@ -6,10 +6,8 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
-// After the bodies are gathered.
+// After the bodies are gathered. All of rows but how bodies answer impulses (SoftPassTable::answer).
 void prepare_contacts(const SoftBatch&, std::span<const std::uint32_t> islands);
-// After a drift: contacts of bodies that have turned far know again how these answer impulses.
-void renew_answers(const SoftBatch& batch);
 void store_contacts(const SoftBatch&);
 
 }

@@ -58,8 +58,8 @@ class SoftMotions : SoftAccess<W> {
     put(m.spin, turned_spin);
     save_velocity(m, v, turned_spin);
     move(m, &SoftBody::shift, v);
-    const Vec turn = move(m, &SoftBody::turn, w);
-    m.turned_far |= wide::any(dot(turn, turn) > get(m.most_turn));
+    const auto turned = move(m, &SoftBody::turn, w);
+    m.turned_far |= wide::any(turned.x * turned.x + turned.y * turned.y + turned.z * turned.z > turned.w);
   }
 
   [[gnu::always_inline]] void settle(SoftMotion& m) const {
@@ -142,10 +142,10 @@ class SoftMotions : SoftAccess<W> {
     save(m, &SoftBody::v, {v.x, v.y, v.z, old.w});
     save(m, &SoftBody::w, {w.x, w.y, w.z, V{}});
   }
-  [[gnu::always_inline]] Vec move(const SoftMotion& m, Vec3 SoftBody::* member, const Vec& velocity) const {
+  [[gnu::always_inline]] wide::Fours<W> move(const SoftMotion& m, Vec3 SoftBody::* member, const Vec& velocity) const {
     const auto old = load(m, member);
-    const Vec now{old.x + velocity.x * h_, old.y + velocity.y * h_, old.z + velocity.z * h_};
-    save(m, member, {now.x, now.y, now.z, V{}});
+    const wide::Fours<W> now{old.x + velocity.x * h_, old.y + velocity.y * h_, old.z + velocity.z * h_, old.w};
+    save(m, member, now);
     return now;
   }
   [[gnu::always_inline]] void save_inertia(const SoftMotion& m, const Quat4& q, const Vec& d) const {

@@ -44,6 +44,7 @@ class SoftPair : protected SoftAccess<W> {
   };
   struct Way {  // since the step began
     Vec shift, turn;
+    V most_turn;
   };
 
   [[gnu::always_inline]] SoftPair(int first, SoftBody* bodies, const std::uint32_t* a, const std::uint32_t* b)
@@ -74,7 +75,7 @@ class SoftPair : protected SoftAccess<W> {
   }
   [[gnu::always_inline]] Way load_way(const std::uint32_t* n) const {
     const auto shift = load(n, &SoftBody::shift), turn = load(n, &SoftBody::turn);
-    return {{shift.x, shift.y, shift.z}, {turn.x, turn.y, turn.z}};
+    return {{shift.x, shift.y, shift.z}, {turn.x, turn.y, turn.z}, turn.w};
   }
   [[gnu::always_inline]] Side load_velocity(const std::uint32_t* n) const {
     const auto v = load(n, &SoftBody::v), w = load(n, &SoftBody::w), i = load(n, &SoftBody::xx), j = load(n, &SoftBody::yz);

@@ -25,6 +25,12 @@ class SoftPasses : SoftPair<W> {
             [](SoftMotion* motions, std::size_t n, SoftBody* bodies, const PassSettings& set) {
               each(motions, n, [&]<int w>(SoftMotion& m, int first) { SoftMotions<w>(first, bodies, set).settle(m); });
             },
+            [](SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
+              each(rows, n, [&]<int w>(SoftRows& r, int first) { SoftPasses<w>(r, first, bodies, set).answer_all(r); });
+            },
+            [](SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
+              each(rows, n, [&]<int w>(SoftRows& r, int first) { SoftPasses<w>(r, first, bodies, set).answer_again(r); });
+            },
             [](const SoftRows* rows, std::size_t n, SoftBody* bodies, const PassSettings& set) {
               each(rows, n, [&]<int w>(const SoftRows& r, int first) {
                 by_points(r, [&]<int points> { SoftPasses<w>(r, first, bodies, set).template warm<points>(r); });
@@ -80,6 +86,64 @@ class SoftPasses : SoftPair<W> {
   [[gnu::always_inline]] SoftPasses(const SoftRows& r, int first, SoftBody* bodies, const PassSettings& set)
       : Base(first, bodies, r.a, r.b), set_(set), n_(get(r.n)), t1_(get(r.t1)), t2_(cross(n_, t1_)), ra_(get(r.ra)),
         rb_(get(r.rb)) {}
+
+  // How three velocities answer three impulses.
+  struct Answer {
+    [[gnu::always_inline]] void add(const V& m0, const V& m1, const Symmetric3<V>& inertia, const Vec& j0, const Vec& j1,
+                                    const Vec& j2) {
+      const Vec i0 = inertia * j0, i1 = inertia * j1, i2 = inertia * j2;
+      k.xx += m0 + dot(j0, i0), k.xy += dot(j0, i1), k.xz += dot(j0, i2);
+      k.yy += m1 + dot(j1, i1), k.yz += dot(j1, i2), k.zz += dot(j2, i2);
+    }
+    // Along the normal at a point.
+    [[gnu::always_inline]] V at(const V& x, const V& y) const {
+      const V two = wide::all<V>(2);
+      return k.xx + two * (x * k.xy + y * k.xz) + x * x * k.yy + two * x * y * k.yz + y * y * k.zz;
+    }
+    // The larger eigenvalue along the surface at a point.
+    [[gnu::always_inline]] V largest(const V& x, const V& y) const {
+      const V two = wide::all<V>(2);
+      return larger_eigenvalue(k.xx - two * y * k.xz + y * y * k.zz, k.yy + two * x * k.yz + x * x * k.zz,
+                               k.xy + x * k.xz - y * k.yz - x * y * k.zz);
+    }
+    [[gnu::always_inline]] static V larger_eigenvalue(const V& k11, const V& k22, const V& k12) {
+      const V half = wide::all<V>(Real(0.5)), apart = (k11 - k22) * half;
+      return (k11 + k22) * half + wide::root(apart * apart + k12 * k12);
+    }
+    Symmetric3<V> k;
+  };
+
+  // `which`: in which lanes.
+  template <class Mask>
+  [[gnu::always_inline]] void answer(SoftRows& r, const Mask& which) {
+    const V zero{}, one = wide::all<V>(1);
+    const auto renew = [&](SoftLanes& m, const V& v) { put(m, which ? v : get(m)); };
+    const auto renew_all = [&](Symmetric3<SoftLanes>& m, const Symmetric3<V>& v) {
+      renew(m.xx, v.xx), renew(m.xy, v.xy), renew(m.xz, v.xz), renew(m.yy, v.yy), renew(m.yz, v.yz), renew(m.zz, v.zz);
+    };
+    Answer press, slide;
+    const auto side = [&](const Side& on, const Vec& arm) {
+      press.add(on.inverse_mass, zero, on.inverse_inertia, cross(arm, n_), -t2_, t1_);
+      slide.add(on.inverse_mass, on.inverse_mass, on.inverse_inertia, cross(arm, t1_), cross(arm, t2_), n_);
+    };
+    side(on_a_, ra_), side(on_b_, rb_);
+    renew_all(r.press, press.k), renew_all(r.slide, slide.k);
+    for (int i = 0; i < int(r.most_points); ++i) {
+      SoftRows::Point& p = r.points[i];
+      const V x = get(p.x), y = get(p.y);
+      const auto is_one = get(p.normal_mass) > zero;
+      renew(p.normal_mass, is_one ? one / press.at(x, y) : zero);
+      renew(p.tangent_mass, is_one ? one / slide.largest(x, y) : zero);
+    }
+    renew(r.spin_mass, one / slide.k.zz);
+    renew(r.roll_mass, one / Answer::larger_eigenvalue(press.k.yy, press.k.zz, press.k.yz));
+  }
+  [[gnu::always_inline]] void answer_all(SoftRows& r) { answer(r, V{} == V{}); }
+  [[gnu::always_inline]] void answer_again(SoftRows& r) {
+    const Way a = Base::way_of_a(), b = Base::way_of_b();
+    const auto far = (dot(a.turn, a.turn) > a.most_turn) | (dot(b.turn, b.turn) > b.most_turn);
+    if (wide::any(far)) answer(r, far);
+  }
 
   template <int points>
   [[gnu::always_inline]] void warm(const SoftRows& r) {

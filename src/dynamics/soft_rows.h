@@ -19,7 +19,7 @@ struct alignas(4 * sizeof(Real)) SoftBody {
   Vec3 shift;                           // way since the step began, m
   Real pad_shift = 0;
   Vec3 turn;                            // turned since, rad
-  Real pad_turn = 0;
+  Real most_turn = 0;                   // square of the turn, rad², beyond which what contacts know of its inertia is too old
   Real xx = 0, xy = 0, xz = 0, yy = 0;  // inverse inertia, world axes
   Real yz = 0, zz = 0, pad_i0 = 0, pad_i1 = 0;
 };
@@ -49,7 +49,7 @@ struct SoftRows {
   struct Point {
     V x, y;              // from the middle along the tangents, m
     V separation;        // when the step began, m
-    V normal_mass;       // 1 / nᵀKn; 0: there is no such point
+    V normal_mass;       // 1 / nᵀKn; 0: there is no such point. Not 0 where `answer` is to set it
     V tangent_mass;      // 1 / the larger eigenvalue of K in the tangent plane
     V reference;         // impulse that does not leak away, N s
     V normal, friction_1, friction_2;  // accumulated, N s
@@ -93,12 +93,11 @@ struct SoftMotion {
   Vec3T<V> inertia, inverse_inertia;  // principal moments
   Vec3T<V> acceleration, angular_acceleration;  // by forces but drag
   V drag, quadratic_drag, angular_drag, quadratic_angular_drag;  // rates, see DragRates
-  V most_turn;                        // square of the turn, rad², beyond which what contacts know of its inertia is too old
   V falls;                            // 1; 0: has just bounced, and forces do not act in this sub-step
   Vec3T<V> v_before, momentum_before;  // after forces, before contacts
   Vec3T<V> gain_v, gain_momentum;     // what contacts made of them in the last sub-step
   std::uint32_t first = 0, used = 0;  // numbers of bodies
-  bool turned_far = false;            // some body has, beyond most_turn
+  bool turned_far = false;            // some body has, beyond its most_turn
 };
 
 struct PassSettings {
@@ -117,6 +116,10 @@ struct SoftPassTable {
   void (*drift)(SoftMotion*, std::size_t, SoftBody*, const PassSettings&);
   // Takes over the velocities, and notes what contacts did.
   void (*settle)(SoftMotion*, std::size_t, SoftBody*, const PassSettings&);
+  // Sets how bodies answer impulses at contacts: press, slide and all masses.
+  void (*answer)(SoftRows*, std::size_t, SoftBody*, const PassSettings&);
+  // The same for contacts of bodies that have turned far.
+  void (*answer_again)(SoftRows*, std::size_t, SoftBody*, const PassSettings&);
   // Applies what is accumulated.
   void (*warm)(const SoftRows*, std::size_t, SoftBody*, const PassSettings&);
   // Normal impulses against overlap: soft where points are within reach, exact where they are farther apart.

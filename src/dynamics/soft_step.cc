@@ -27,6 +27,7 @@ class BatchSolver : public SoftBatch {
     const auto bodies = [&](auto pass) { pass(w_.motions.data(), w_.motions.size(), w_.bodies.data(), set); };
     const auto contacts = [&](auto pass) { pass(w_.rows.data(), w_.rows.size(), w_.bodies.data(), set); };
     const auto joints = [&](auto pass) { pass(w_.ball_rows.data(), w_.ball_rows.size(), w_.bodies.data(), set); };
+    contacts(passes.answer);
     for (int k = 0; k < in_.substeps; ++k) {
       if (k > 0 && vary(in_.forces)) publish(), load_forces();
       strike_contacts(*this);
@@ -37,7 +38,7 @@ class BatchSolver : public SoftBatch {
       contacts(passes.solve);
       bodies(passes.drift);
       carry_kinematic();
-      renew_answers(*this);
+      if (turned_far()) contacts(passes.answer_again);
       joints(passes.relax_balls);
       contacts(passes.relax);
       bodies(passes.settle);
@@ -60,6 +61,7 @@ class BatchSolver : public SoftBatch {
     for (std::uint32_t n = 1; n < first_mover(); ++n) {
       w_.bodies[n].v = in_.bodies.velocity[w_.slots[n]];
       w_.bodies[n].w = in_.bodies.spin[w_.slots[n]];
+      w_.bodies[n].most_turn = std::numeric_limits<Real>::max();
     }
     w_.places.resize(end());
     for (std::uint32_t n = first_mover(); n < end(); ++n) gather(n);
@@ -83,7 +85,7 @@ class BatchSolver : public SoftBatch {
     m.orientation.x[lane] = q.x, m.orientation.y[lane] = q.y, m.orientation.z[lane] = q.z, m.orientation.w[lane] = q.w;
     set(m.momentum, lane, b.angular_momentum[slot]), set(m.spin, lane, spin);
     set(m.inertia, lane, b.inertia[slot]), set(m.inverse_inertia, lane, b.inverse_inertia[slot]);
-    m.most_turn[lane] = most_turn(b.inertia[slot]);
+    body.most_turn = most_turn(b.inertia[slot]);
   }
 
   // Turned by θ, a body answers in a direction by up to (Imax / Imin − 1) θ² more than it did. What contacts know of it may
@@ -100,7 +102,6 @@ class BatchSolver : public SoftBatch {
     for (std::uint32_t lane = 0; lane < SoftLanes::count; ++lane) {
       m.orientation.w[lane] = 1, m.falls[lane] = 1;
       set(m.inertia, lane, {1, 1, 1});
-      m.most_turn[lane] = std::numeric_limits<Real>::max();
     }
   }
 
@@ -124,6 +125,13 @@ class BatchSolver : public SoftBatch {
         set(m.acceleration, lane, {}), set(m.angular_acceleration, lane, {}), set(m.momentum, lane, {}), set(m.spin, lane, {});
       }
     }
+  }
+
+  // Whether some body has in the last drift.
+  bool turned_far() {
+    bool far = false;
+    for (SoftMotion& m : w_.motions) far |= std::exchange(m.turned_far, false);
+    return far;
   }
 
   void give_up(std::uint32_t n) {
