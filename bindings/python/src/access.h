@@ -33,7 +33,7 @@ class Interrupts {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-// A fork copies no threads: whoever waited for them would wait for ever.
+// Of what has threads of its own. A fork copies none of them, but the locks that they held.
 class HasThreads {
  public:
   void require_them() const {
