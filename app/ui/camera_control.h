@@ -1,10 +1,12 @@
 // The mouse's camera: turns round a target, slides, comes closer, flies.
 #pragma once
 
-#include "ui/run.h"
+#include "history/deeds.h"
 #include "view/camera.h"
 
 namespace sudar::ui {
+
+using namespace history;
 
 class CameraControl {
  public:

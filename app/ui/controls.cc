@@ -50,7 +50,8 @@ void Controls::neighbour(int way) {
 
 void Controls::toggle_recording() {
   Simulation& s = simulation_;
-  s.post([&s](Run& r) {
+  s.post([&s](History& h) {
+    Run& r = h.run();
     if (r.recording()) return s.say("Recorded: " + r.stop_recording());
     r.start_recording();
     s.say("Recording");
@@ -75,6 +76,15 @@ void Controls::perform(Action action) {
       return s.pause(true), s.step(1);
     case Action::ten_steps:
       return s.pause(true), s.step(10);
+    case Action::step_back:
+      return s.step(-1);
+    case Action::ten_steps_back:
+      return s.step(-10);
+    case Action::play_backwards:
+      return s.play_backwards();
+    case Action::newest:
+      if (moment()) s.go(moment()->timeline.end);
+      return;
     case Action::restart:
       return s.restart();
     case Action::faster:
@@ -99,13 +109,23 @@ void Controls::perform(Action action) {
       follow = !follow;
       return;
     case Action::shoot:
-      return s.post([=](Run& r) { r.shoot(ray, scale); });
+      return s.perform(Shoot{ray, scale});
     case Action::add_box:
-      return s.post([=](Run& r) { r.insert(Solid::box, ray, scale); });
+      return s.perform(Insert{Solid::box, ray, scale});
     case Action::add_sphere:
-      return s.post([=](Run& r) { r.insert(Solid::sphere, ray, scale); });
+      return s.perform(Insert{Solid::sphere, ray, scale});
     case Action::remove:
-      return s.post([b = selected](Run& r) { r.remove(b); });
+      if (!selected.null()) s.perform(Remove{selected});
+      return;
+    case Action::undo:
+      return s.undo();
+    case Action::redo:
+      return s.redo();
+    case Action::ghost:
+      return s.show_ghost(!moment() || !moment()->ghost);
+    case Action::plots:
+      plots = !plots;
+      return;
     case Action::contacts:
       style.contacts = !style.contacts;
       return;
@@ -179,7 +199,7 @@ void Controls::key(int key, bool down) {
 
 void Controls::hold() {
   const Vec3 forward = normalize(camera.camera().target - camera.camera().eye);
-  simulation_.post([keys = held_, forward](Run& r) { r.hold(keys, forward); });
+  simulation_.perform(Hold{held_, forward});
 }
 
 void Controls::look(View v, double aspect) {

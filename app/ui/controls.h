@@ -23,7 +23,7 @@ class Controls {
   void start(const ScenarioEntry&);
   void restart_with(const std::map<std::string, double>& parameters);
   void set_config(const Config& c) {
-    simulation_.post([c](Run& r) { r.set_config(c); });
+    simulation_.perform(Configure{c});
   }
   void set_speed(double s) { simulation_.set_speed(s); }
   void select(Body b) { selected = b, simulation_.select(b); }
@@ -47,7 +47,7 @@ class Controls {
   Area area;                // of the picture
   Ray pointer{};            // where the mouse points
   Body selected{};
-  bool labels = false, follow = false, panels = true, help = false;
+  bool labels = false, follow = false, panels = true, plots = true, help = false;
   Places places;         // of widgets
   bool typing = false;   // into a field of a panel
   bool filming = false;  // told by whoever does it

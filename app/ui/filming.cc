@@ -23,7 +23,7 @@ view::Image upper_left(const view::Image& image, int width, int height) {
 
 Account account_of(Simulation& simulation) {
   const auto promise = std::make_shared<std::promise<view::PngText>>();
-  simulation.post([promise](Run& r) { promise->set_value(app::provenance(r.playback())); });
+  simulation.post([promise](History& h) { promise->set_value(app::provenance(h.run().playback())); });
   return promise->get_future().share();
 }
 

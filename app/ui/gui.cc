@@ -11,7 +11,7 @@ namespace sudar::ui {
 
 namespace {
 
-// A panel that a key calls may need so many frames until it takes what is typed next.
+// A panel that a key or a click calls may need so many frames until it stands where it will and takes what comes next.
 constexpr int frames_to_answer = 3;
 
 void name_keys(ImGuiIO& io) {
@@ -122,7 +122,7 @@ std::optional<InputEvent> Gui::begin() {
     event = queue_.front();
     queue_.pop_front();
     feed(*event);
-    if (event->down) answering_ = frames_to_answer;
+    if (event->down || event->kind == InputEvent::Kind::button) answering_ = frames_to_answer;
   }
   ImGuiIO& io = ImGui::GetIO();
   const double now = glfwGetTime();

@@ -35,7 +35,7 @@ void Hand::press(const InputEvent& e, const Area& area) {
   const Body body = pick_(int(e.x) - area.x, int(e.y) - area.y);
   controls_.select(body);
   mode_ = body.null() ? Mode::orbit : ctrl ? Mode::twist : Mode::drag;
-  if (!body.null()) controls_.simulation().post([body, ray = controls_.pointer](Run& r) { r.grab(body, ray); });
+  if (!body.null()) controls_.simulation().perform(Grab{body, controls_.pointer});
 }
 
 void Hand::move(double dx, double dy, const Area& area) {
@@ -51,20 +51,20 @@ void Hand::move(double dx, double dy, const Area& area) {
     case Mode::right:
       return down_.empty() ? camera.pan(dx, dy, area.height) : camera.look(dx, dy);
     case Mode::drag:
-      return simulation.post([ray = controls_.pointer](Run& r) { r.drag_to(ray); });
+      return simulation.perform(DragTo{controls_.pointer});
     case Mode::twist: {
       // A pixel of movement asks for 0.2 rad/s about the axis across it.
       const Ray& ray = controls_.pointer;
       const Vec3 right = normalize(cross(ray.forward, Vec3{0, 1, 0})), up = cross(right, ray.forward);
       const Vec3 spin = (up * Real(dx) + right * Real(dy)) * Real(0.2);
-      return simulation.post([spin](Run& r) { r.twist(spin); });
+      return simulation.perform(Twist{spin});
     }
   }
 }
 
 void Hand::release() {
   if (mode_ == Mode::drag || mode_ == Mode::twist) {
-    controls_.simulation().post([](Run& r) { r.twist({}), r.release(); });
+    controls_.simulation().perform(Release{});
   }
   mode_ = Mode::none;
 }
@@ -76,7 +76,8 @@ void Hand::key(const InputEvent& e) {
   const bool bare = (e.mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT)) == 0;
   if (!e.down || (bare && controls_.belongs_to_scenario(e.code))) return controls_.key(e.code, e.down);
   if (const Binding* b = find_binding(e.code, e.mods)) {
-    const bool repeats = b->action == Action::step || b->action == Action::ten_steps;
+    const bool repeats = b->action == Action::step || b->action == Action::ten_steps || b->action == Action::step_back ||
+                         b->action == Action::ten_steps_back;
     if (!e.repeat || repeats) controls_.perform(b->action);
   }
 }

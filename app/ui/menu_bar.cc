@@ -33,6 +33,7 @@ void MenuBar::colours(view::Style& style) {
 void MenuBar::menus() {
   if (open_menu("Run")) {
     for (const Action a : {Action::pause, Action::step, Action::ten_steps, Action::restart}) item(a);
+    for (const Action a : {Action::step_back, Action::ten_steps_back, Action::play_backwards, Action::newest}) item(a);
     ImGui::Separator();
     for (const Action a : {Action::faster, Action::slower, Action::real_time}) item(a);
     ImGui::Separator();
@@ -42,6 +43,8 @@ void MenuBar::menus() {
     ImGui::EndMenu();
   }
   if (open_menu("Edit")) {
+    for (const Action a : {Action::undo, Action::redo}) item(a);
+    ImGui::Separator();
     for (const Action a : {Action::shoot, Action::add_box, Action::add_sphere, Action::remove}) item(a);
     ImGui::EndMenu();
   }
@@ -59,6 +62,8 @@ void MenuBar::menus() {
     for (const Action a : {Action::frame_selection, Action::frame_all}) item(a);
     item(Action::follow, &controls_.follow);
     ImGui::Separator();
+    const bool ghost = controls_.moment() && controls_.moment()->ghost;
+    item(Action::ghost, &ghost), item(Action::plots, &controls_.plots);
     item(Action::panels, &controls_.panels), item(Action::fullscreen), item(Action::help, &controls_.help);
     ImGui::EndMenu();
   }

@@ -58,7 +58,7 @@ void Notes::help(const Area& area) {
     for (const Binding& b : bindings()) {
       if (*b.shortcut) row(b.shortcut, b.does);
     }
-    row("→, Shift+→", "step, ten steps, when paused");
+    row("→, ←, Shift", "step, step back, ten, when paused");
     row("left on a body", "select, drag with a spring");
     row("Ctrl + left", "twist the body");
     row("left beside, middle", "turn the camera");

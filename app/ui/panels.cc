@@ -152,7 +152,11 @@ Area Panels::draw(int width, int height, double frames_per_second) {
     engine();
     ImGui::End();
     state_line(w, h, frames_per_second);
-    area = {int(side), area.y, std::max(1, width - int(side)), std::max(1, height - area.y - int(line))};
+    const float plots = controls_.plots ? std::max(130.0f, 0.24f * h) : 0;
+    const float below = line + plots + TimelineBar::height;
+    timeline_.draw(side, h - below, w - side);
+    if (controls_.plots) plot_.draw(side, h - line - plots, w - side, plots);
+    area = {int(side), area.y, std::max(1, width - int(side)), std::max(1, height - area.y - int(below))};
   }
   if (controls_.labels) draw_labels(controls_, area);
   notes_.draw(area);

@@ -1,9 +1,11 @@
 // The panels round the picture, in Dear ImGui: above the menu and the transport, at the left the scenarios and what can
-// be set, below the line of state; over the picture the scenario's keys, help, what was just done.
+// be set, below the timeline, plots and the line of state; over the picture the scenario's keys, help, what was just done.
 #pragma once
 
 #include "ui/menu_bar.h"
 #include "ui/notes.h"
+#include "ui/plot.h"
+#include "ui/timeline.h"
 
 namespace sudar::ui {
 
@@ -23,6 +25,8 @@ class Panels {
   Controls& controls_;
   MenuBar menu_bar_{controls_};
   Notes notes_{controls_};
+  TimelineBar timeline_{controls_};
+  Plot plot_{controls_};
   char search_[64] = "";
   const ScenarioEntry* listed_ = nullptr;  // the one that the list was last scrolled to
   std::map<std::string, double> edited_;  // parameters, until the run has them

@@ -1,56 +1,25 @@
-// A Run on a thread of its own, paced by the clock with a fixed step. The drawing thread posts commands, performed
-// between two steps in their order, and reads moments: immutable, taken after a step. Neither ever waits for the other,
-// so that results do not depend on the frame rate. A scene that computes slower than the clock falls behind it, openly
-// (View::rate), and never tries to catch up.
+// A run and its history on a thread of its own, paced by the clock with a fixed step. The drawing thread posts
+// commands, performed between two steps in their order, and reads moments: immutable, taken after a step. Neither ever
+// waits for the other, so that results do not depend on the frame rate. A scene that computes slower than the clock
+// falls behind it, openly (View::rate), and never tries to catch up. On a long way back what is reached so far is
+// shown.
 #pragma once
 
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <functional>
 #include <mutex>
 #include <thread>
 
-#include "ui/run.h"
+#include "ui/moment.h"
 
 namespace sudar::ui {
-
-using Clock = std::chrono::steady_clock;
-
-struct BodyFacts {
-  Body body;
-  std::string name;
-  double mass = 0, energy = 0;
-  Pose pose;
-  Vec3 velocity, spin;
-  bool asleep = false;
-};
-
-// A run after one of its steps: what is drawn, and what is told about it.
-struct Moment {
-  const ScenarioEntry* entry = nullptr;
-  std::int64_t run = 0;  // a new number is a new world: nothing is drawn between moments of two runs
-  std::int64_t steps = 0;
-  double time = 0;  // simulated, s
-  view::Scene scene;
-  Config config;
-  std::vector<Params::Entry> params;
-  std::vector<KeyHelp> keys;
-  std::optional<Camera> camera;
-  std::size_t bodies = 0, joints = 0, contacts = 0;
-  Energy energy;
-  double step_us = 0;
-  std::optional<BodyFacts> selected;
-  std::optional<Run::Spring> spring;
-  bool recording = false;
-  bool abandoned = false;  // by its scenario (session.h)
-};
 
 struct View {
   std::shared_ptr<const Moment> before, after;  // never null once the first run has started
   Clock::time_point since;                      // `after` is shown from here on …
   double span = 0;                              // … reached after this many seconds
-  bool paused = false;
+  bool paused = false, backwards = false;
   double speed = 1, rate = 0;  // wanted and reached: step time per second of the clock
   std::string message;         // what was done last, or went wrong
   std::int64_t messages = 0;   // their number so far
@@ -71,13 +40,22 @@ class Simulation {
   void pause_or_run();
   void set_speed(double);
   void change_speed(double (*from)(double));
-  void step(int n);                // of a paused run
-  void select(Body);               // null: nothing
-  void show(const view::Detail&);  // what moments hold
+  void step(int n);               // of a paused run; negative: back
+  void play_backwards();          // as fast as it would run; pauses at the beginning
+  void go(std::int64_t frame);    // of this branch, and pauses
+  void go_to_branch(int number);  // the same frame of it, or its last one
+  void undo();
+  void redo();
+  void show_ghost(bool);  // of the branch that was left last, or that was chosen
+  void show_ghost_of(int branch);
+  void perform(Deed);
+  void chart(const ChartRequest&);  // what moments hold; its ghost is that of show_ghost()
+  void select(Body);                // null: nothing
+  void show(const view::Detail&);   // what moments hold
   void say(std::string);
 
   // Anything else; not called where there is no run. What it throws becomes the message.
-  using Command = std::function<void(Run&)>;
+  using Command = std::function<void(History&)>;
   void post(Command);
 
   View view() const;
@@ -86,19 +64,32 @@ class Simulation {
   void loop();
   bool perform_commands();  // were there any?
   int advance();            // returns the steps made
+  int make_steps(Clock::time_point now);
+  bool approach(Clock::time_point now);  // the goal; did anything change?
+  void set_goal(const Place&);
+  void follow_branch();
+  void draw_chart(bool fresh);
   void publish(bool fresh);
   void measure(int steps);
   void enqueue(std::function<void()>);
   void fail(const std::string& what);
   void tell_if_abandoned();
   void begin(const ScenarioEntry&, Settings);
-  void begin_anew(const std::map<std::string, double>& parameters);
+  void begin_anew(const Settings&);
   void forget();  // what belonged to the run before
-  std::shared_ptr<Moment> moment() const;
+  std::shared_ptr<Moment> moment();
   Clock::time_point due() const;
 
   // Of the physics thread alone.
-  std::unique_ptr<Run> run_;
+  std::unique_ptr<History> history_;
+  std::optional<Place> goal_;
+  bool backwards_ = false, filling_ = false;
+  bool ghost_ = true;
+  int left_ = -1, branch_ = -1;  // the branch that is the ghost, and the present one
+  ChartRequest chart_request_;
+  std::shared_ptr<const Chart> chart_;
+  Clock::time_point charted_{};
+  bool chart_due_ = true;
   std::int64_t runs_ = 0, abandoned_run_ = 0;  // the last one of that kind
   Body selected_{};
   view::Detail detail_;

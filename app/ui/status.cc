@@ -30,6 +30,13 @@ void StatusFile::write(const Controls& c, const Window& window, double frames_pe
   for (const Binding& b : bindings()) {
     if (*b.shortcut) shortcuts.push_back(b.shortcut);
   }
+  Json branches = Json::array(), curves = Json::object();
+  for (const History::Branch& b : m.timeline.branches) branches.push_back(b.name);
+  if (m.chart) {
+    for (const Chart::Curve& curve : m.chart->curves) {
+      if (!curve.ghost) curves[curve.name] = curve.points.size();
+    }
+  }
   float fastest = 0;
   int asleep = 0;
   for (const view::Instance& i : m.scene.instances) {
@@ -56,6 +63,15 @@ void StatusFile::write(const Controls& c, const Window& window, double frames_pe
       {"selected_spin", m.selected ? list(m.selected->spin) : nullptr},
       {"dragging", m.spring.has_value()},
       {"recording", m.recording},
+      {"end", m.timeline.end},
+      {"branch", m.timeline.here.branch},
+      {"branches", branches},
+      {"backwards", v.backwards},
+      {"ghosts", m.scene.ghosts.size()},
+      {"history_bytes", m.timeline.bytes},
+      {"curves", curves},
+      {"plots", c.plots},
+      {"ghost_shown", m.ghost},
       {"abandoned", m.abandoned},
       {"filming", c.filming},
       {"eye", list(camera.eye)},

@@ -63,10 +63,9 @@ void Bodies::place(const Scene& scene, const Pos& eye, const Style& style) {
   constexpr std::size_t none = ~std::size_t(0);
   std::vector<std::size_t> mesh;
   for (const Shape& s : scene.shapes) mesh.push_back(s.kind() == ShapeKind::half_space ? none : mesh_of(s));
-  std::vector<std::vector<GpuInstance>> copies(instances_.meshes());
-  for (std::size_t n = 0; n < scene.instances.size(); ++n) {
-    const Instance& i = scene.instances[n];
-    if (mesh[i.shape] == none) continue;
+  Instances::Copies copies(instances_.meshes()), ghosts(instances_.meshes());
+  const auto add = [&](const Instance& i, std::uint32_t id, Instances::Copies& to) {
+    if (mesh[i.shape] == none) return;
     const Shape& shape = scene.shapes[i.shape];
     GpuInstance g{.position = relative(i.pose.p, eye),
                   .turn = {float(i.pose.q.x), float(i.pose.q.y), float(i.pose.q.z), float(i.pose.q.w)},
@@ -75,10 +74,12 @@ void Bodies::place(const Scene& scene, const Pos& eye, const Style& style) {
                               : shape.kind() == ShapeKind::hull ? 0.17f
                                                                 : 0.8f,
                   .gloss = i.fixed ? 0.3f : 0.8f,
-                  .id = std::uint32_t(n + 1)};
+                  .id = id};
     if (shape.kind() == ShapeKind::sphere) g.scale = Vec3f{1, 1, 1} * float(shape.radius());
-    copies[mesh_for(shape, mesh[i.shape], length(g.position), style.plain)].push_back(g);
-  }
+    to[mesh_for(shape, mesh[i.shape], length(g.position), style.plain)].push_back(g);
+  };
+  for (std::size_t n = 0; n < scene.instances.size(); ++n) add(scene.instances[n], std::uint32_t(n + 1), copies);
+  for (const Instance& i : scene.ghosts) add(i, 0, ghosts);
   for (const Link& link : scene.links) {
     const Vec3f from = relative(link.from, eye), way = relative(link.to, link.from);
     const float reach = length(way);
@@ -95,7 +96,7 @@ void Bodies::place(const Scene& scene, const Pos& eye, const Style& style) {
       return length_squared(a.position) < length_squared(b.position);
     });
   }
-  instances_.place(copies);
+  instances_.place(copies, ghosts);
 }
 
 }

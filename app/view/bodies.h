@@ -14,6 +14,8 @@ class Bodies {
   // Takes all links and all instances but half spaces, in the style's colours.
   void place(const Scene&, const Pos& eye, const Style&);
   void draw() const { instances_.draw(); }
+  bool any_ghosts() const { return instances_.any_translucent(); }
+  void draw_ghosts() const { instances_.draw_translucent(); }
   void draw_for_shadows() const { instances_.draw(Instances::Detail::plainer); }
 
  private:

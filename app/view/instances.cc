@@ -54,23 +54,29 @@ std::size_t Instances::add_mesh(const Mesh& mesh, const Mesh& plainer) {
   return own;
 }
 
-void Instances::place(const std::vector<std::vector<GpuInstance>>& copies_of_mesh) {
-  std::vector<GpuInstance> all;
-  batches_.clear();
+std::vector<Instances::Batch> Instances::append(const Copies& copies_of_mesh, std::vector<GpuInstance>& all) {
+  std::vector<Batch> batches;
   for (std::size_t mesh = 0; mesh < copies_of_mesh.size(); ++mesh) {
     const auto& copies = copies_of_mesh[mesh];
-    if (!copies.empty()) batches_.push_back({mesh, all.size(), copies.size()});
+    if (!copies.empty()) batches.push_back({mesh, all.size(), copies.size()});
     all.insert(all.end(), copies.begin(), copies.end());
   }
   const auto nearest = [&](const Batch& b) { return length_squared(all[b.first].position); };
-  std::stable_sort(batches_.begin(), batches_.end(),
+  std::stable_sort(batches.begin(), batches.end(),
                    [&](const Batch& a, const Batch& b) { return nearest(a) < nearest(b); });
+  return batches;
+}
+
+void Instances::place(const Copies& copies_of_mesh, const Copies& translucent) {
+  std::vector<GpuInstance> all;
+  batches_ = append(copies_of_mesh, all);
+  translucent_ = append(translucent, all);
   glBindBuffer(GL_ARRAY_BUFFER, instances_);
   glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(all.size() * sizeof(GpuInstance)), all.data(), GL_STREAM_DRAW);
 }
 
-void Instances::draw(Detail detail) const {
-  for (const Batch& batch : batches_) {
+void Instances::draw(const std::vector<Batch>& batches, Detail detail) const {
+  for (const Batch& batch : batches) {
     const OnCard& mesh = meshes_[detail == Detail::full ? batch.mesh : plainer(batch.mesh)];
     glBindVertexArray(mesh.layout);
     glBindBuffer(GL_ARRAY_BUFFER, instances_);
@@ -78,5 +84,9 @@ void Instances::draw(Detail detail) const {
     glDrawElementsInstanced(mesh.primitive, mesh.count, GL_UNSIGNED_INT, nullptr, GLsizei(batch.count));
   }
 }
+
+void Instances::draw(Detail detail) const { draw(batches_, detail); }
+
+void Instances::draw_translucent() const { draw(translucent_, Detail::full); }
 
 }

@@ -23,10 +23,14 @@ class Instances {
   std::size_t add_mesh(const Mesh&, const Mesh& plainer);
   std::size_t plainer(std::size_t mesh) const { return meshes_[mesh].plainer; }  // itself where there is none
   std::size_t meshes() const { return meshes_.size(); }
-  // What draw() draws until the next call: for every mesh its copies. May be shorter than the list of meshes.
-  void place(const std::vector<std::vector<GpuInstance>>& copies_of_mesh);
+  // What draw() draws until the next call: for every mesh its copies; and what draw_translucent() draws. May be shorter
+  // than the list of meshes.
+  using Copies = std::vector<std::vector<GpuInstance>>;
+  void place(const Copies& copies_of_mesh, const Copies& translucent = {});
   enum class Detail { full, plainer };
   void draw(Detail = Detail::full) const;  // with the program in use
+  void draw_translucent() const;
+  bool any_translucent() const { return !translucent_.empty(); }
 
  private:
   struct OnCard {
@@ -39,9 +43,11 @@ class Instances {
   struct Batch {
     std::size_t mesh, first, count;
   };
+  static std::vector<Batch> append(const Copies&, std::vector<GpuInstance>& all);
+  void draw(const std::vector<Batch>&, Detail) const;
   std::vector<OnCard> meshes_;
   gl::Buffer instances_ = gl::make_buffer();
-  std::vector<Batch> batches_;
+  std::vector<Batch> batches_, translucent_;
 };
 
 }

@@ -28,11 +28,12 @@ using Files = std::vector<std::string>;
 
 // What makes light into a picture, in several passes or in one.
 struct Lit {
-  gl::Program body, mark, sky;
+  gl::Program body, ghost, mark, sky;
   Ground ground;
 
   explicit Lit(const Files& light)
       : body({"frame.glsl", "body.vert.glsl"}, gl::joined(light, "body.frag.glsl")),
+        ghost({"frame.glsl", "body.vert.glsl"}, gl::joined(light, "ghost.frag.glsl")),
         mark({"frame.glsl", "body.vert.glsl"}, gl::joined(light, "mark.frag.glsl")),
         sky({"screen.vert.glsl"}, gl::joined(light, "sky.frag.glsl")),
         ground(light) {}
@@ -57,6 +58,8 @@ struct Renderer::Impl {
 
   Impl() {
     const gl::Program* const all[] = {&fine.body,
+                                      &fine.ghost,
+                                      &plain.ghost,
                                       &fine.mark,
                                       &fine.sky,
                                       &fine.ground.floors(),
@@ -138,6 +141,12 @@ struct Renderer::Impl {
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
     glDepthMask(GL_FALSE);
     lit().ground.draw(scene, camera, focus, true);
+    if (bodies.any_ghosts()) {
+      glEnable(GL_CULL_FACE);
+      lit().ghost.use();
+      bodies.draw_ghosts();
+      glDisable(GL_CULL_FACE);
+    }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
   }

@@ -4,20 +4,17 @@
 
 namespace sudar::view {
 
-void add_instance(Scene& scene, const Shape& shape, Instance instance) {
+namespace {
+
+// Its number in the scene.
+std::uint32_t add_shape(Scene& scene, const Shape& shape) {
   // Bodies of one shape mostly follow each other: look from the end. The pointer first, since it is cheap.
   const auto same = std::find_if(scene.shapes.rbegin(), scene.shapes.rend(),
                                  [&](const Shape& s) { return s.shared() == shape.shared() || s == shape; });
-  if (same == scene.shapes.rend()) {
-    instance.shape = std::uint32_t(scene.shapes.size());
-    scene.shapes.push_back(shape);
-  } else {
-    instance.shape = std::uint32_t(scene.shapes.rend() - same - 1);
-  }
-  scene.instances.push_back(instance);
+  if (same != scene.shapes.rend()) return std::uint32_t(scene.shapes.rend() - same - 1);
+  scene.shapes.push_back(shape);
+  return std::uint32_t(scene.shapes.size() - 1);
 }
-
-namespace {
 
 Pose mix(const Pose& a, const Pose& b, double share) {
   // The shorter way round: q and −q are the same turn. Between two steps the straight way is as good as the arc.
@@ -28,16 +25,37 @@ Pose mix(const Pose& a, const Pose& b, double share) {
   return {a.p + (b.p - a.p) * t, normalize(q)};
 }
 
+// Both lists are in the order of the bodies' numbers, so one walk finds the pairs.
+void mix(const std::vector<Instance>& before, std::vector<Instance>& after, double share) {
+  auto old = before.begin();
+  for (Instance& i : after) {
+    while (old != before.end() && old->body.index < i.body.index) ++old;
+    if (old != before.end() && old->body == i.body) i.pose = mix(old->pose, i.pose, share);
+  }
+}
+
+}
+
+void add_instance(Scene& scene, const Shape& shape, Instance instance) {
+  instance.shape = add_shape(scene, shape);
+  scene.instances.push_back(instance);
+}
+
+void add_ghosts(Scene& scene, const Scene& other) {
+  auto own = scene.instances.begin();
+  for (Instance i : other.instances) {
+    if (i.fixed) continue;
+    while (own != scene.instances.end() && own->body.index < i.body.index) ++own;
+    if (own != scene.instances.end() && own->body == i.body && own->pose == i.pose) continue;
+    i.shape = add_shape(scene, other.shapes[i.shape]);
+    scene.ghosts.push_back(i);
+  }
 }
 
 Scene mix(const Scene& before, const Scene& after, double share) {
   Scene scene = after;
-  // Both lists are in the order of the bodies' numbers, so one walk finds the pairs.
-  auto old = before.instances.begin();
-  for (Instance& i : scene.instances) {
-    while (old != before.instances.end() && old->body.index < i.body.index) ++old;
-    if (old != before.instances.end() && old->body == i.body) i.pose = mix(old->pose, i.pose, share);
-  }
+  mix(before.instances, scene.instances, share);
+  mix(before.ghosts, scene.ghosts, share);
   if (before.links.size() == after.links.size()) {
     const Real t = Real(share);
     for (std::size_t n = 0; n < scene.links.size(); ++n) {

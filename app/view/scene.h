@@ -63,6 +63,7 @@ struct Link {
 struct Scene {
   std::vector<Shape> shapes;        // each once
   std::vector<Instance> instances;  // in the order of World::bodies()
+  std::vector<Instance> ghosts;     // of another run: translucent, and nothing that could be picked
   std::vector<ContactMark> contacts;
   std::vector<JointMark> joints;
   std::vector<Link> links;
@@ -82,11 +83,14 @@ struct Detail {
 // where in the list of colours the scene begins; any number.
 Scene make_scene(const World&, const Detail& = {}, std::uint32_t palette = 0);
 
-// The scene between two, for drawing between two steps: bodies and links are where `share` (0: before, 1: after) of the
+// The scene between two, for drawing between two steps: bodies, ghosts and links are where `share` (0: before, 1: after) of the
 // way has led them; all else is as in `after`.
 Scene mix(const Scene& before, const Scene& after, double share);
 
 // Adds an instance; a shape of equal content is shared. For pictures without a world.
 void add_instance(Scene&, const Shape&, Instance);
+
+// Adds what moves in `other` and is somewhere else in `scene`, as ghosts.
+void add_ghosts(Scene&, const Scene& other);
 
 }

@@ -83,6 +83,7 @@ class State {
 class Input {
  public:
   bool held(std::string_view key) const;
+  const std::vector<std::string>& all_held() const { return held_; }
   bool pressed(std::string_view key) const;
   void set(std::vector<std::string> held);  // what is held from now on; what was not held before counts as pressed
   void clear_pressed() { pressed_.clear(); }

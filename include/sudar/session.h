@@ -51,8 +51,9 @@ class KeyScript {
 class Session {
  public:
   explicit Session(const ScenarioEntry&, const Settings& = {});
-  // Goes on where save() was called, in a new instance of the scenario.
-  static Session load(const Catalogue&, std::span<const std::byte>);
+  // Goes on where save() was called, in a new instance of the scenario. `workers`: as Config's; those of the run that was
+  // saved were its machine's.
+  static Session load(const Catalogue&, std::span<const std::byte>, std::int32_t workers = 1);
   static bool begins(std::span<const std::byte> file);        // as what save() returns does
 
   void step();                                                // control, World::step, observe

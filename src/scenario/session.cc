@@ -180,7 +180,7 @@ bool Session::begins(std::span<const std::byte> file) {
   return file.size() >= sizeof magic && (Reader(file).value<std::uint64_t>() & kind) == (magic & kind);
 }
 
-Session Session::load(const Catalogue& catalogue, std::span<const std::byte> bytes) {
+Session Session::load(const Catalogue& catalogue, std::span<const std::byte> bytes, std::int32_t workers) {
   Reader r(bytes);
   if (begins(bytes) && !has_magic(bytes, magic)) {
     throw Error("version", "of the saved run is another one than this program reads");
@@ -211,6 +211,7 @@ Session Session::load(const Catalogue& catalogue, std::span<const std::byte> byt
   s.seconds_ = checked_seconds(r.value<double>());
   s.abandoned_ = r.text();
   r.array(part);
+  s.world_ = World(Config{.workers = workers});
   s.world_.load(part);
   return s;
 }

@@ -50,8 +50,8 @@ Reached run_watched(int pictures) {
     std::this_thread::sleep_for(pause);
   }
   std::promise<Reached> reached;
-  simulation.post([&](Run& r) {
-    const World& w = r.session().world();
+  simulation.post([&](History& h) {
+    const World& w = h.run().world();
     reached.set_value({w.steps(), w.hash()});
   });
   return reached.get_future().get();

@@ -263,6 +263,22 @@ class States(unittest.TestCase):
         self.assertEqual(world.steps, 20)
 
 
+    def test_a_fork_leaves_no_one_waiting(self):
+        world = falling_ball(workers=2)[0]
+        batch = sudar.WorldBatch(falling_ball()[0], 4, threads=2)
+        world.step(), batch.step()
+        child = os.fork()
+        if child == 0:
+            refused = 0
+            for step in (world.step, batch.step):
+                try:
+                    step()
+                except RuntimeError as e:
+                    refused += "forked" in str(e)
+            copy.copy(world).step()
+            os._exit(refused)
+        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 2)
+
     def test_long_work_can_be_interrupted(self):
         def ring(*_):
             raise KeyboardInterrupt

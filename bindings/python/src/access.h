@@ -4,6 +4,8 @@
 
 #include <sudar/record.h>
 
+#include <unistd.h>
+
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -31,6 +33,19 @@ class Interrupts {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+// Of what has threads of its own. A fork copies none of them, but the locks that they held.
+class HasThreads {
+ public:
+  void require_them() const {
+    if (getpid() != process_) {
+      throw std::runtime_error("this process was forked, which leaves threads behind: use a copy made in this process");
+    }
+  }
+
+ private:
+  pid_t process_ = getpid();
+};
+
 inline std::int64_t checked(std::int64_t steps) {
   if (steps < 0) throw Error("steps", "is " + std::to_string(steps) + ", must not be negative");
   return steps;
@@ -50,6 +65,7 @@ class SharedWorld : public std::enable_shared_from_this<SharedWorld> {
   template <class F>
   void work(F f) {
     const Busy busy(*this);
+    if (world_->config().workers > 1) threads_.require_them();
     const py::gil_scoped_release released;
     f(*world_);
   }
@@ -83,6 +99,7 @@ class SharedWorld : public std::enable_shared_from_this<SharedWorld> {
   explicit SharedWorld(const std::shared_ptr<World>& own) : SharedWorld(*own, own) {}
   std::shared_ptr<void> own_;
   World* world_ = nullptr;
+  HasThreads threads_;
   std::atomic<bool> busy_ = false;
 };
 using WorldPointer = std::shared_ptr<SharedWorld>;

@@ -63,6 +63,7 @@ class WorldBatch {
     for (const WorldPointer& w : worlds_) busy.push_back(std::make_unique<SharedWorld::Busy>(*w));
     // Several steps at once spare the threads a meeting after each; but recorders hear of every one.
     const std::int64_t piece = recorded ? 1 : 16;
+    if (batch_.threads() > 1) threads_.require_them();
     const py::gil_scoped_release released;
     Interrupts interrupts;
     for (std::int64_t left = checked(steps); left > 0; left -= piece, interrupts.look()) {
@@ -144,6 +145,7 @@ class WorldBatch {
 
  private:
   Batch batch_;
+  HasThreads threads_;
   Bytes start_;
   std::vector<WorldPointer> worlds_;
 };

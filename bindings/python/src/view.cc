@@ -1,6 +1,4 @@
 // The module sudar._view: pictures of a world, drawn without a window. Apart from sudar._core, which needs no OpenGL.
-#include <unistd.h>
-
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 #include <condition_variable>
@@ -26,8 +24,8 @@ class Painter {
   }
 
   view::Image draw(const std::function<view::Image(view::Offscreen&)>& task) {
+    threads_.require_them();
     const std::scoped_lock one_at_a_time(door_);
-    if (getpid() != process_) throw std::runtime_error("a process that was forked after its parent drew cannot draw");
     std::unique_lock lock(mutex_);
     task_ = &task, failure_ = nullptr;
     bell_.notify_all();
@@ -51,7 +49,7 @@ class Painter {
     }
   }
 
-  const pid_t process_ = getpid();
+  HasThreads threads_;
   std::mutex door_, mutex_;
   std::condition_variable bell_;
   const std::function<view::Image(view::Offscreen&)>* task_ = nullptr;

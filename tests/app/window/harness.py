@@ -18,14 +18,15 @@ import unittest
 
 PROGRAM = None
 PATIENCE = float(os.environ.get("PATIENCE", 180))  # s, for anything that is waited for
-WIDTH, HEIGHT = 960, 640                           # of the window, at the screen's top left
+WIDTH, HEIGHT = 960, 924                           # of the window, at the screen's top left
+PICTURE = 600                                      # its rows down to here show the scene, below are timeline and plots
 SIDE = 300                                         # width of the panel at the left
 
 
 class Screen:
     """A virtual screen of its own; X chooses a free number for it, and keeps its pixels in a file."""
 
-    def __init__(self, size="1000x700x24"):
+    def __init__(self, size="1000x980x24"):
         self.folder = tempfile.TemporaryDirectory()
         read, write = os.pipe()
         self.server = subprocess.Popen(
@@ -35,15 +36,17 @@ class Screen:
         with os.fdopen(read) as numbers:
             self.display = ":" + numbers.readline().strip()
 
-    def pixels(self):
-        """Every third pixel of every third row of the part where bodies are drawn, as (red, green, blue)."""
+    def pixels(self, place=None):
+        """Every third pixel of every third row of the part where bodies are drawn, as (red, green, blue), or of another
+        place: left, top, right, bottom."""
+        left, top, right, bottom = place or (SIDE + 10, 30, WIDTH - 10, PICTURE)
         with open(os.path.join(self.folder.name, "Xvfb_screen0"), "rb") as file:
             data = file.read()
         header = struct.unpack(">25I", data[:100])  # the XWD format
         start, row = header[0] + 12 * header[19], header[12]
         picture = []
-        for y in range(30, HEIGHT - 40, 3):
-            line = data[start + y * row + 4 * (SIDE + 10):start + y * row + 4 * (WIDTH - 10)]
+        for y in range(top, bottom, 3):
+            line = data[start + y * row + 4 * left:start + y * row + 4 * right]
             picture += zip(line[2::12], line[1::12], line[0::12])
         return picture
 
@@ -191,7 +194,7 @@ class WindowTest(unittest.TestCase):
                 self.next_pictures()
         s = self.until(lambda s: widget in s["places"], f"{widget} is seen")
         left, top, right, bottom = s["places"][widget]
-        floor = s["area"][1] + s["area"][3]  # of the side panel as of the picture beside it
+        floor = HEIGHT - 30  # of the side panel
         if right < s["area"][0] and bottom > floor:  # half of it is under the edge
             self.xdotool("mousemove", 150, HEIGHT - 50)
             self.click(5)

@@ -27,6 +27,11 @@ class Panels(harness.WindowTest):
         choose("Run", "Pause, run", becomes(paused=True))
         choose("Run", "Step", lambda b, n: n["steps"] == b["steps"] + 1)
         choose("Run", "Ten steps", lambda b, n: n["steps"] == b["steps"] + 10)
+        choose("Run", "Step back", lambda b, n: n["steps"] == b["steps"] - 1)
+        choose("Run", "Ten steps back", lambda b, n: n["steps"] == max(0, b["steps"] - 10))
+        choose("Run", "To the newest step", lambda b, n: n["steps"] == n["end"])
+        choose("Run", "Play backwards, pause", lambda b, n: n["steps"] < n["end"] - 2)
+        choose("Run", "Play backwards, pause", becomes(paused=True))
         choose("Run", "Restart", lambda b, n: n["run"] == b["run"] + 1 and n["steps"] == 0)
         choose("Run", "Faster", becomes(speed=2))
         choose("Run", "Real time", becomes(speed=1))
@@ -46,13 +51,16 @@ class Panels(harness.WindowTest):
         choose("Edit", "Shoot a ball", lambda b, n: n["bodies"] == b["bodies"] + 1)
         choose("Edit", "Add a box under the mouse", lambda b, n: n["bodies"] == b["bodies"] + 1)
         choose("Edit", "Add a sphere under the mouse", lambda b, n: n["bodies"] == b["bodies"] + 1)
+        choose("Edit", "Undo: back to before the last edit", lambda b, n: n["bodies"] == b["bodies"] - 1)
+        choose("Edit", "Redo: to behind the next edit", lambda b, n: n["bodies"] == b["bodies"] + 1)
         choose("Edit", "Remove the selected body", lambda b, n: n["bodies"] == b["bodies"] - 1 and n["selected"] == -1)
 
         for item, field in (("Contacts", "contacts_shown"), ("Joints", "joints_shown"), ("Forces", "forces_shown"),
                             ("Axes", "axes_shown"), ("Names", "labels_shown"),
                             ("Boxes of the broad phase", "boxes_shown"),
                             ("Cells or tree of the broad phase", "cells_shown"), ("Edges only", "wireframe"),
-                            ("Sleeping bodies pale", "sleep_shown"), ("Help", "help")):
+                            ("Sleeping bodies pale", "sleep_shown"), ("Ghost of the other branch", "ghost_shown"),
+                            ("Plots", "plots"), ("Plots", "plots"), ("Help", "help")):
             choose("Show", item, turns(field))
         self.key("F1")
         for n, what in enumerate(("body", "speed", "island", "sleep")):
@@ -75,7 +83,7 @@ class Panels(harness.WindowTest):
 
     def test_every_key_is_tested(self):
         """Each of these is pressed in one of the tests of this folder; a new one needs a test, and its place here."""
-        tested = """Space . Shift+. R + - 1 [ ] Ctrl+K F Home Ctrl+F B Insert Shift+Insert Delete C J O N G Shift+G K Z X L
+        tested = """Space . Shift+. , Shift+, Shift+Space End Ctrl+Z Ctrl+Shift+Z H F4 R + - 1 [ ] Ctrl+K F Home Ctrl+F B Insert Shift+Insert Delete C J O N G Shift+G K Z X L
                     Tab F1 F11 Ctrl+P V Ctrl+Shift+R Esc Ctrl+Q"""
         self.assertEqual(sorted(self.open("cradle")["shortcuts"]), sorted(tested.split()))
 

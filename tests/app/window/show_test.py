@@ -78,7 +78,7 @@ class Show(harness.WindowTest):
 
     def test_full_screen(self):
         self.open("cradle")
-        for full, size in ((True, [1000, 700]), (False, [harness.WIDTH, harness.HEIGHT])):
+        for full, size in ((True, [1000, 980]), (False, [harness.WIDTH, harness.HEIGHT])):
             self.key("F11")
             self.until(lambda s: s["fullscreen"] == full and s["window"] == size, "F11")
 
