@@ -12,6 +12,8 @@ namespace {
 constexpr int plain = 0, shift = GLFW_MOD_SHIFT, ctrl = GLFW_MOD_CONTROL;
 
 constexpr Binding all[] = {
+    {Action::open, GLFW_KEY_O, ctrl, "Ctrl+O", "Open a saved run"},
+    {Action::save, GLFW_KEY_S, ctrl, "Ctrl+S", "Save this run"},
     {Action::pause, GLFW_KEY_SPACE, plain, "Space", "Pause, run"},
     {Action::pause, GLFW_KEY_P, plain, "", ""},
     {Action::step, GLFW_KEY_PERIOD, plain, ".", "Step"},

@@ -7,6 +7,8 @@
 namespace sudar::ui {
 
 enum class Action {
+  open,
+  save,
   pause,
   step,
   ten_steps,

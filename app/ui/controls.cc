@@ -70,6 +70,12 @@ void Controls::perform(Action action) {
   const double scale = focus.radius;
   const Ray ray = pointer;
   switch (action) {
+    case Action::open:
+      wants_open = true;
+      return;
+    case Action::save:
+      wants_save = moment() != nullptr;
+      return;
     case Action::pause:
       return s.pause_or_run();
     case Action::step:

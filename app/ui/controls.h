@@ -52,6 +52,7 @@ class Controls {
   bool typing = false;   // into a field of a panel
   bool filming = false;  // told by whoever does it
   // Taken up by whoever can, who then takes them down.
+  bool wants_open = false, wants_save = false;
   bool wants_search = false, wants_fullscreen = false, wants_screenshot = false, wants_movie = false,
        wants_quit = false;
 

@@ -101,7 +101,7 @@ bool Gui::wanted_by_panels(const InputEvent& e) const {
   const ImGuiIO& io = ImGui::GetIO();
   switch (e.kind) {
     case InputEvent::Kind::key:
-      return e.down && io.WantTextInput;
+      return e.down && (io.WantTextInput || io.WantCaptureKeyboard);  // the latter: a dialog is open
     case InputEvent::Kind::button:
       return e.down && io.WantCaptureMouse;
     case InputEvent::Kind::wheel:

@@ -31,6 +31,10 @@ void MenuBar::colours(view::Style& style) {
 }
 
 void MenuBar::menus() {
+  if (open_menu("File")) {
+    for (const Action a : {Action::open, Action::save}) item(a);
+    ImGui::EndMenu();
+  }
   if (open_menu("Run")) {
     for (const Action a : {Action::pause, Action::step, Action::ten_steps, Action::restart}) item(a);
     for (const Action a : {Action::step_back, Action::ten_steps_back, Action::play_backwards, Action::newest}) item(a);

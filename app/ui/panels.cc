@@ -137,6 +137,21 @@ void Panels::state_line(float width, float height, double frames_per_second) {
   ImGui::End();
 }
 
+void Panels::files() {
+  Simulation& s = controls_.simulation();
+  constexpr const char* extension = ".run";
+  if (std::exchange(controls_.wants_open, false)) {
+    file_dialog_.open("Open a saved run", "", extension, true,
+                      [&s, &catalogue = controls_.catalogue()](const std::string& path) { s.open(catalogue, path); });
+  }
+  if (std::exchange(controls_.wants_save, false)) {
+    const Moment& m = *controls_.moment();
+    file_dialog_.open("Save this run", std::string(m.entry->name) + "-" + std::to_string(m.steps) + extension,
+                      extension, false, [&s](const std::string& path) { s.save(path); });
+  }
+  file_dialog_.draw();
+}
+
 Area Panels::draw(int width, int height, double frames_per_second) {
   const auto w = float(width), h = float(height);
   Area area{0, 0, width, height};
@@ -160,6 +175,7 @@ Area Panels::draw(int width, int height, double frames_per_second) {
   }
   if (controls_.labels) draw_labels(controls_, area);
   notes_.draw(area);
+  files();
   return area;
 }
 

@@ -2,6 +2,7 @@
 // be set, below the timeline, plots and the line of state; over the picture the scenario's keys, help, what was just done.
 #pragma once
 
+#include "ui/file_dialog.h"
 #include "ui/menu_bar.h"
 #include "ui/notes.h"
 #include "ui/plot.h"
@@ -20,6 +21,7 @@ class Panels {
   void parameters();
   void engine();
   void selection();
+  void files();
   void state_line(float width, float height, double frames_per_second);
 
   Controls& controls_;
@@ -27,6 +29,7 @@ class Panels {
   Notes notes_{controls_};
   TimelineBar timeline_{controls_};
   Plot plot_{controls_};
+  FileDialog file_dialog_{controls_.places};
   char search_[64] = "";
   const ScenarioEntry* listed_ = nullptr;  // the one that the list was last scrolled to
   std::map<std::string, double> edited_;  // parameters, until the run has them

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "main/files.h"
+
 namespace sudar::ui {
 
 namespace {
@@ -44,7 +46,26 @@ void Simulation::enqueue(std::function<void()> command) {
 }
 
 void Simulation::start(const ScenarioEntry& entry, Settings settings) {
-  enqueue([this, &entry, settings = std::move(settings)] { begin(entry, settings); });
+  enqueue([this, &entry, settings = std::move(settings)] { begin(std::make_unique<Run>(entry, settings)); });
+}
+
+void Simulation::open(const Catalogue& catalogue, const std::string& path) {
+  enqueue([this, &catalogue, path] {
+    auto session = std::make_unique<Session>(
+        app::load_file(path, [&](const Bytes& bytes) { return Session::load(catalogue, bytes); }));
+    Settings settings{.config = fields_of(session->world().config())};
+    for (const Params::Entry& p : session->params()) settings.set[p.name] = p.value;
+    begin(std::make_unique<Run>(std::move(session), settings));
+    paused_ = true;
+    say("Opened: " + path);
+  });
+}
+
+void Simulation::save(const std::string& path) {
+  post([this, path](History& h) {
+    app::write_file(path, h.run().session().save());
+    say("Saved: " + path);
+  });
 }
 
 void Simulation::restart() {
@@ -85,9 +106,12 @@ void Simulation::set_speed(double speed) {
 void Simulation::step(int n) {
   enqueue([this, n] {
     backwards_ = false;
-    if (n >= 0 || !history_) return void(single_steps_ += std::max(0, n));
+    single_steps_ += n;  // those that are not made yet and those back cancel each other
+    const int back = std::min(0, single_steps_);
+    single_steps_ -= back;
+    if (back == 0 || !history_) return;
     Place to = goal_ ? *goal_ : history_->here();
-    to.frame = std::max(history_->begin(), to.frame + n), to.deeds = Place::all;
+    to.frame = std::max(history_->begin(), to.frame + back), to.deeds = Place::all;
     set_goal(to);
   });
 }
@@ -181,8 +205,8 @@ void Simulation::tell_if_abandoned() {
       "). The world goes on without it: no keys, no checks. R starts anew, Ctrl+Z goes back");
 }
 
-void Simulation::begin(const ScenarioEntry& entry, Settings settings) {
-  auto fresh = std::make_unique<History>(std::make_unique<Run>(entry, std::move(settings)));
+void Simulation::begin(std::unique_ptr<Run> run) {
+  auto fresh = std::make_unique<History>(std::move(run));
   if (history_) {
     if (const std::string what = history_->run().stop_recording(); !what.empty()) say("Recorded: " + what);
   }

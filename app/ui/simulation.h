@@ -34,6 +34,8 @@ class Simulation {
   Simulation(const Simulation&) = delete;
 
   void start(const ScenarioEntry&, Settings);
+  void open(const Catalogue&, const std::string& path);  // a file of save(), or of sudar run --save; pauses
+  void save(const std::string& path);                    // the run as it is
   void restart();
   void restart(const std::map<std::string, double>& parameters);
   void pause(bool);
@@ -74,7 +76,7 @@ class Simulation {
   void enqueue(std::function<void()>);
   void fail(const std::string& what);
   void tell_if_abandoned();
-  void begin(const ScenarioEntry&, Settings);
+  void begin(std::unique_ptr<Run>);
   void begin_anew(const Settings&);
   void forget();  // what belonged to the run before
   std::shared_ptr<Moment> moment();

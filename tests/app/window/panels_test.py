@@ -24,6 +24,11 @@ class Panels(harness.WindowTest):
         def turns(field):
             return lambda before, now: now[field] != before[field]
 
+        choose("File", "Save this run", lambda b, n: "file: confirm" in n["places"])
+        self.press("file: cancel")
+        choose("File", "Open a saved run", lambda b, n: "file: confirm" in n["places"])
+        self.press("file: cancel")
+        self.until(lambda s: "file: confirm" not in s["places"], "Cancel closes it")
         choose("Run", "Pause, run", becomes(paused=True))
         choose("Run", "Step", lambda b, n: n["steps"] == b["steps"] + 1)
         choose("Run", "Ten steps", lambda b, n: n["steps"] == b["steps"] + 10)
@@ -83,7 +88,7 @@ class Panels(harness.WindowTest):
 
     def test_every_key_is_tested(self):
         """Each of these is pressed in one of the tests of this folder; a new one needs a test, and its place here."""
-        tested = """Space . Shift+. , Shift+, Shift+Space End Ctrl+Z Ctrl+Shift+Z H F4 R + - 1 [ ] Ctrl+K F Home Ctrl+F B Insert Shift+Insert Delete C J O N G Shift+G K Z X L
+        tested = """Ctrl+O Ctrl+S Space . Shift+. , Shift+, Shift+Space End Ctrl+Z Ctrl+Shift+Z H F4 R + - 1 [ ] Ctrl+K F Home Ctrl+F B Insert Shift+Insert Delete C J O N G Shift+G K Z X L
                     Tab F1 F11 Ctrl+P V Ctrl+Shift+R Esc Ctrl+Q"""
         self.assertEqual(sorted(self.open("cradle")["shortcuts"]), sorted(tested.split()))
 

@@ -1,7 +1,7 @@
 """Time: step back, scrub, play backwards, branches and their ghosts, undo; curves of what is measured, and their files."""
 import csv
 import os
-import re
+import subprocess
 import xml.etree.ElementTree
 
 import harness
@@ -83,6 +83,48 @@ class Time(harness.WindowTest):
         self.until(lambda s: len(s["branches"]) == 1, "the others are gone")
         self.key("ctrl+shift+r")
         self.replayed()
+
+    def test_save_and_open(self):
+        self.open("towers")
+        self.until(lambda s: s["steps"] > 30, "the run moves")
+        self.pause()
+        self.xdotool("mousemove", 640, 200)
+        self.key("b", "period")
+        s = self.until(lambda s: s["bodies"] == 52 and s["paused"], "a ball is shot")
+        saved, energy = self.next_pictures()["steps"], self.state()["energy"]
+        os.mkdir(os.path.join(self.folder.name, "deep"))
+        self.key("ctrl+s")
+        self.until(lambda s: s["typing"], "Ctrl+S asks for a name")
+        self.key("ctrl+a")
+        self.xdotool("type", "--delay", "5", "mine")
+        self.press("file: confirm")
+        self.until(lambda s: s["message"].endswith("/mine.run"), "it is saved")
+        self.key("bracketright")
+        self.until(lambda s: s["scene"] != "towers", "another scene")
+        self.key("ctrl+o")
+        self.until(lambda s: "file: deep/" in s["places"] and "file: mine.run" in s["places"], "Ctrl+O shows files and folders")
+        self.press("file: deep/")
+        self.until(lambda s: "file: mine.run" not in s["places"], "a click leads into a folder")
+        self.press("file: ..")
+        self.press("file: mine.run")
+        self.press("file: confirm")
+        s = self.until(lambda s: s["scene"] == "towers", "it is open")
+        self.assertEqual((s["steps"], s["bodies"], s["energy"], s["paused"]), (saved, 52, energy, True))
+        self.key("period")
+        self.until(lambda s: s["end"] == saved + 1, "it goes on")
+        self.key("comma")
+        self.until(lambda s: s["end"] == saved + 1 and s["steps"] == saved, "and back")
+        # The command line takes it, too; what is no saved run is told so.
+        file = os.path.join(self.folder.name, "mine.run")
+        run = subprocess.run([harness.PROGRAM, "run", "towers", "--load", file, "--steps", str(saved + 5)],
+                             capture_output=True, text=True)
+        self.assertIn(f"towers: {saved + 5} steps", run.stdout, run.stderr)
+        with open(file, "w") as broken:
+            broken.write("nothing")
+        self.key("ctrl+o")
+        self.press("file: mine.run")
+        self.press("file: confirm")
+        self.until(lambda s: "mine.run" in s["message"] and "not" in s["message"], "a bad file is told so")
 
     def test_curves(self):
         self.open("towers")
