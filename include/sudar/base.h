@@ -53,5 +53,6 @@ struct Handle {
 using Body = Handle<struct BodyTag>;
 using Joint = Handle<struct JointTag>;
 using ForceId = Handle<struct ForceTag>;
+using ShapeId = Handle<struct ShapeTag>;  // one of a body's shapes
 
 }

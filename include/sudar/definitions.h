@@ -12,6 +12,7 @@
 #include <string>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace sudar::inline SUDAR_PRECISION {
 
@@ -43,6 +44,8 @@ struct OrInfinite {};  // not negative, and infinity is allowed: no limit
 inline constexpr OrInfinite or_infinite{};
 struct NotNan {};  // any number, infinities too
 inline constexpr NotNan not_nan{};
+struct MayBeMissing {};
+inline constexpr MayBeMissing may_be_missing{};
 
 // --- bodies ---
 
@@ -82,18 +85,42 @@ void describe(V& v, T& d) {
   v("group", d.group, any);
 }
 
+// One of the shapes of a body that has several. What it leaves out is the body's.
+struct ShapeDef {
+  Shape shape{};
+  Vec3 at{};                                // of the shape's frame, in the body's, m
+  Quat turn{};                              // of the shape's frame, against the body's
+  std::optional<Real> density{};            // kg/m³; parts of a body whose mass is given share it by volume times this
+  std::optional<Material> material{};
+  std::optional<Vec3> surface_velocity{};   // m/s, shape's axes
+  std::optional<Filter> filter{};
+};
+template <class V, Like<ShapeDef> T>
+void describe(V& v, T& d) {
+  v("shape", d.shape, any);
+  v("at", d.at, any);
+  v("turn", d.turn, unit_length);
+  v("density", d.density, Range{0, infinite, true});
+  v("material", d.material, any);
+  v("surface_velocity", d.surface_velocity, any);
+  v("filter", d.filter, any);
+}
+
+// A body's frame is that of its shape; where it has several, each lies in the body's frame. Its mass, centre and inertia
+// are the sums over its shapes, as if they did not overlap.
 struct BodyDef {
   Shape shape{};
-  Pos at{};                        // of the shape's frame, m
-  Quat turn{};                     // of the shape's frame
+  std::vector<ShapeDef> shapes{};  // of a body that has several, instead of `shape`
+  Pos at{};                        // of the body's frame, m
+  Quat turn{};                     // of the body's frame
   Vec3 velocity{};                 // of the centre of mass, m/s
   Vec3 spin{};                     // angular velocity, rad/s, world axes
   Real density = 1000;             // kg/m³; used where mass is 0
   Real mass = 0;                   // kg; 0: from density
-  std::optional<Vec3> center{};    // of mass, in the shape's frame, m; none: the shape's own
-  std::optional<Mat3> inertia{};   // about the centre of mass, shape's axes, kg m²; none: the shape's own
+  std::optional<Vec3> center{};    // of mass, in the body's frame, m; none: the shapes'
+  std::optional<Mat3> inertia{};   // about the centre of mass, body's axes, kg m²; none: the shapes'
   Material material{};
-  Vec3 surface_velocity{};         // of the surface along itself while the body stands, like a belt's; m/s, shape's axes
+  Vec3 surface_velocity{};         // of the surface along itself while the body stands, like a belt's; m/s, body's axes
   Filter filter{};
   Motion motion = Motion::dynamic;
   bool sleeps = true;              // may be put to sleep where the world sleeps
@@ -101,7 +128,8 @@ struct BodyDef {
 };
 template <class V, Like<BodyDef> T>
 void describe(V& v, T& d) {
-  v("shape", d.shape, any);
+  v("shape", d.shape, may_be_missing);
+  v("shapes", d.shapes, any);
   v("at", d.at, any);
   v("turn", d.turn, unit_length);
   v("velocity", d.velocity, any);

@@ -24,8 +24,9 @@ using Bytes = std::vector<std::byte>;
 
 // What the last step reported, in an order that does not depend on machine, broad phase or threads.
 struct Events {
-  struct Touch {  // two bodies that began or ceased to touch (not by being removed: then the handle is dead)
-    Body a, b;
+  struct Touch {  // two bodies that began or ceased to touch (not by being removed: then the handle is dead), with
+    Body a, b;    // one shape each: bodies of several shapes may touch with several pairs of them
+    ShapeId shape_a, shape_b;
   };
   struct Hit {  // an impact
     Body a, b;
@@ -42,7 +43,7 @@ struct Events {
   std::vector<Quarantined> quarantined;
 };
 
-// One touching pair, as the last sub-step left it.
+// One touching pair of shapes, as the last sub-step left it.
 struct Contact {
   struct Point {
     Pos at;
@@ -57,6 +58,7 @@ struct Contact {
   int count = 0;
   Real friction_static = 0, friction_dynamic = 0, restitution = 0;
   bool slipping = false;  // friction is at the edge of its cone, and the bodies move along each other
+  ShapeId shape_a{}, shape_b{};
 };
 
 struct RayHit {
@@ -64,12 +66,13 @@ struct RayHit {
   Pos at;
   Vec3 normal;    // of the surface; of a body in which the ray starts: against the ray
   Real distance;  // m
+  ShapeId shape;
 };
 // What a ray looks for.
 struct RayQuery {
-  Filter filter{0xffffffffu, 0xffffffffu, 0};  // bodies that may touch it (definitions.h); else it passes through
-  bool from_inside = false;  // a body in which it starts is hit at once; else it does not see it
-  bool all = false;          // every body on its way, nearest first; else the nearest
+  Filter filter{0xffffffffu, 0xffffffffu, 0};  // shapes that may touch it (definitions.h); else it passes through
+  bool from_inside = false;  // a shape in which it starts is hit at once; else it does not see it
+  bool all = false;          // every shape on its way, nearest first; else the nearest
 };
 
 // Kinetic and potential energy [J], momentum [N·s] and angular momentum about the origin [N·m·s] of all dynamic bodies.
@@ -87,21 +90,43 @@ struct Quality {
   Real joint_gap_max = 0, joint_gap_mean = 0;      // m, over joints
 };
 
+// A look at one of a body's shapes; valid until the world changes.
+class ShapeView {
+ public:
+  Body body() const;
+  Pose pose() const;                     // of its frame
+  Transform at() const;                  // of its frame, in the body's
+  const Shape& shape() const;
+  Real density() const;                  // kg/m³
+  const Material& material() const;
+  const Vec3& surface_velocity() const;  // m/s, shape's axes
+  const Filter& filter() const;
+
+ private:
+  friend class World;
+  friend class BodyView;
+  ShapeView(const World* w, std::uint32_t i) : world_(w), index_(i) {}
+  const World* world_;
+  std::uint32_t index_;
+};
+
 // A look at one body; valid until the world changes.
 class BodyView {
  public:
-  Pose pose() const;       // of the shape's frame
+  Pose pose() const;       // of the body's frame: that of its shape, if it has one
   Pos center() const;      // of mass
   Vec3 velocity() const;   // of the centre of mass, m/s
   Vec3 spin() const;       // rad/s, world axes
   Vec3 angular_momentum() const;  // about the centre of mass, world axes
   Vec3 velocity_at(const Pos& point) const;
-  Real mass() const;       // kg; a half space has none: 0
+  Real mass() const;       // kg; a body of half spaces and hollows has none: 0
   Mat3 inertia() const;    // about the centre of mass, world axes
   double kinetic_energy() const;
-  const Shape& shape() const;
+  std::vector<ShapeId> shapes() const;   // in the order in which it got them
+  const Shape& shape() const;            // this and the next two: of the first of them
   const Material& material() const;
   const Vec3& surface_velocity() const;  // m/s, shape's axes
+  Real radius() const;                   // of a ball about the centre of mass that holds all of them, m
   const std::string& name() const;
   Motion motion() const;
   bool asleep() const;
@@ -109,6 +134,7 @@ class BodyView {
 
  private:
   friend class World;
+  ShapeView first() const;
   BodyView(const World* w, std::uint32_t i) : world_(w), index_(i) {}
   const World* world_;
   std::uint32_t index_;
@@ -143,6 +169,12 @@ class World {
   Body add(const BodyDef&);
   ForceId add(const Force&);
   SensorId add(const Sensor&);
+  // Another shape for a body, and one less. Mass, centre of mass and inertia are renewed from the shapes at their densities
+  // (a given mass had set those; a center or inertia that was given holds no more). The body goes on as it went: spin and
+  // the velocity of each of its points stay, so that it gains the momentum of what is added and gives away that of
+  // what is removed, as if they had moved along. Joints keep their anchors. The last shape cannot be removed.
+  ShapeId add(Body, const ShapeDef&);
+  void remove(ShapeId);
   Joint join(const JointDef&);
   void remove(Body);  // and its joints, forces and sensors; wakes what lay on it
   void remove(Joint);
@@ -150,10 +182,10 @@ class World {
   void remove(SensorId);
   void push(Body, const Vec3& force, const Pos& at);           // N, during the next step() only
   void twist(Body, const Vec3& torque);                        // N·m, world axes, during the next step() only
-  void place(Body, const Pose&);                               // of the shape's frame
+  void place(Body, const Pose&);                               // of the body's frame
   void set_velocity(Body, const Vec3& velocity, const Vec3& spin);
-  void set_surface_velocity(Body, const Vec3&);                // m/s, shape's axes
-  // What holds where the two touch, instead of the mix of their materials; none: the mix again.
+  void set_surface_velocity(Body, const Vec3&);                // of all its shapes; m/s, body's axes
+  // What holds where the two touch, with whatever shapes, instead of the mix of their materials; none: the mix again.
   void set_pair_material(Body a, Body b, const std::optional<Material>&);
   void set_drive(Joint, const Drive&);                         // of a hinge, slider or muscle
   void set_config(const Config&);
@@ -172,25 +204,27 @@ class World {
   std::vector<SensorId> sensors() const;
   bool alive(Body) const;
   bool alive(Joint) const;
+  bool alive(ShapeId) const;
   Body find(std::string_view name) const;  // null: no such body
   BodyView operator[](Body) const;
+  ShapeView operator[](ShapeId) const;
   JointView operator[](Joint) const;
   const Force& operator[](ForceId) const;
   const Sensor& operator[](SensorId) const;
   double value(SensorId) const;
   std::vector<Contact> contacts() const;
   bool touching(Body, Body) const;
-  Material pair_material(Body a, Body b) const;  // what holds where they touch: set, or mixed
-  // direction: of length 1; length: m, may be infinite. Throws Error. A ray that starts inside a body does not see it,
+  Material pair_material(Body a, Body b) const;  // what holds where they touch: set, or mixed from their first shapes'
+  // direction: of length 1; length: m, may be infinite. Throws Error. A ray that starts inside a shape does not see it,
   // unless the query says so.
   std::optional<RayHit> ray_cast(const Pos& from, const Vec3& direction, Real length) const;  // the nearest
   std::vector<RayHit> ray_cast(const Pos& from, const Vec3& direction, Real length, const RayQuery&) const;
-  std::vector<Box> fat_boxes() const;    // of all bodies but half spaces: what the broad phase compares
+  std::vector<Box> fat_boxes() const;    // of all shapes but half spaces: what the broad phase compares
   std::vector<Box> broad_boxes() const;  // what it is made of: cells or nodes; for pictures
   // For each of bodies() the smallest index among those that it hangs together with, by contacts and joints of dynamic
   // bodies.
   std::vector<std::uint32_t> islands() const;
-  SignedDistance distance(Body a, Body b) const;  // between their shapes, touching or not (distance.h)
+  SignedDistance distance(Body a, Body b) const;  // between the shapes nearest to each other, touching or not (distance.h)
   Energy energy() const;
   Momentum momentum() const;
   const Events& events() const;

@@ -207,8 +207,10 @@ void read(Reader& r, T& x) { x = r.value<T>(); }
 inline void write(Writer& w, const std::string& s) { w.text(s); }
 inline void read(Reader& r, std::string& s) { s = r.text(); }
 template <class T>
+  requires std::is_trivially_copyable_v<T>
 void write(Writer& w, const std::vector<T>& x) { w.array(x); }
 template <class T>
+  requires std::is_trivially_copyable_v<T>
 void read(Reader& r, std::vector<T>& x) { r.array(x); }
 template <class Tag>
 void write(Writer& w, const Handle<Tag>& h) {
@@ -228,6 +230,20 @@ void write(Writer& w, const T& x) { describe(w, x); }
 template <class T>
   requires requires(Reader& r, T& x) { describe(r, x); }
 void read(Reader& r, T& x) { describe(r, x); }
+
+// Parts of any kind and number.
+template <class T>
+  requires(!std::is_trivially_copyable_v<T>)
+void write(Writer& w, const std::vector<T>& parts) {
+  w.named("count", std::uint64_t(parts.size()));
+  w.each("", parts);
+}
+template <class T>
+  requires(!std::is_trivially_copyable_v<T>)
+void read(Reader& r, std::vector<T>& parts) {
+  parts.resize(r.count(1));
+  for (T& part : parts) read(r, part);
+}
 
 // An optional value: whether it is there, then itself.
 template <class T>

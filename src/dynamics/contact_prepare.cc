@@ -44,9 +44,9 @@ class Preparation {
  private:
   void points(const Manifold& manifold, const Mat3& frame) {
     const Bodies& bodies = s_.in.bodies;
-    const Vec3 to_shape = rotate(bodies.orientation[c_.a], bodies.shape_frame[c_.a].p);
+    const Vec3 to_shape = rotate(bodies.orientation[c_.a], bodies.shape_frame(c_.shape_a).p);
     const Vec3 apart = bodies.position[c_.a] - bodies.position[c_.b];
-    const Vec3 surfaces = bodies.surface_velocity_world(c_.a) - bodies.surface_velocity_world(c_.b);
+    const Vec3 surfaces = bodies.surface_velocity_world(c_.shape_a) - bodies.surface_velocity_world(c_.shape_b);
     const Real4 glide{0, dot(frame.c1, surfaces), dot(frame.c2, surfaces), 0};
     Vec3 middle;
     for (std::size_t k = 0; k < m_.count; ++k) middle += manifold.points[k].at / Real(m_.count);

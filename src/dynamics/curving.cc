@@ -21,17 +21,17 @@ bool curves(const SubStep& s, const ManifoldRow& m) {
   const Moving &a = s.on[m.a].real, &b = s.on[m.b].real;
   const ActiveContact& c = s.contact(m);
   const Real turning = max(length_squared(vector(a.w)), length_squared(vector(b.w)));
-  const Geometry &on_a = *s.in.geometries[c.a], &on_b = *s.in.geometries[c.b];
+  const Geometry &on_a = *s.in.geometries[c.shape_a], &on_b = *s.in.geometries[c.shape_b];
   if (flat_sided(on_a) || flat_sided(on_b)) return turning * s.h > worth && turning * square(s.h) < square(most_turn);
   // One glides round the other.
   const Real around = min(on_a.bounding_radius, on_b.bounding_radius);
   return max(turning, length_squared(vector(a.v - b.v)) / square(around)) * s.h > worth;
 }
 
-// A body in the middle of the sub-step.
+// A body and one of its shapes in the middle of the sub-step.
 struct Halfway {
-  Halfway(const SubStep& s, std::uint32_t slot, std::uint32_t number)
-      : Halfway(s.in.bodies.shape_frame[slot], ahead(s.in.bodies, slot, s.on[number], s.h / 2)) {}
+  Halfway(const SubStep& s, std::uint32_t slot, std::uint32_t of_shape, std::uint32_t number)
+      : Halfway(s.in.bodies.shape_frame(of_shape), ahead(s.in.bodies, slot, s.on[number], s.h / 2)) {}
   Halfway(const Transform& frame, const Ahead& then)
       : center(then.center.p), spin(then.spin), shape{then.center.point(frame.p), then.center.q * frame.q} {}
   Pos center;
@@ -52,7 +52,7 @@ bool same_place(const SubStep& s, const ManifoldRow& m, const Vec3& normal) {
   const ActiveContact& c = s.contact(m);
   const Vec3 before = vector(m.frame.c0);
   const Real cosine = dot(before, normal);
-  if (!flat_sided(*s.in.geometries[c.a]) || !flat_sided(*s.in.geometries[c.b])) return cosine > Real(0.5);
+  if (!flat_sided(*s.in.geometries[c.shape_a]) || !flat_sided(*s.in.geometries[c.shape_b])) return cosine > Real(0.5);
   const Moving &a = s.on[m.a].real, &b = s.on[m.b].real;
   const Real turn = s.h / 2 * (length(vector(a.w)) + length(vector(b.w)));
   return cosine > 0 && length(cross(before, normal)) < Real(1.1) * turn + Real(1e-3);
@@ -64,13 +64,13 @@ void measure(const SubStep& s, const ManifoldRow& m, ManifoldStart& start) {
   const Moving &a = s.on[m.a].real, &b = s.on[m.b].real;
   const Vec3 v = vector(a.v - b.v), spin_a = vector(a.w), spin_b = vector(b.w);
   const auto arm = [&](const Real4& middle, const PointRow& p) { return vector(middle + m.frame * p.at); };
-  const Halfway then_a(s, c.a, m.a), then_b(s, c.b, m.b);
+  const Halfway then_a(s, c.a, c.shape_a, m.a), then_b(s, c.b, c.shape_b, m.b);
   const Real reach = length(v) + length(spin_a) * length(arm(m.ra, m.points[0])) +
                      length(spin_b) * length(arm(m.rb, m.points[0]));
   AxisCache no_cache;
   Manifold then;
-  collide_placed(*s.in.geometries[c.a], then_a.shape, *s.in.geometries[c.b], then_b.shape, s.slop() + s.h * reach,
-                 no_cache, then);
+  collide_placed(*s.in.geometries[c.shape_a], then_a.shape, *s.in.geometries[c.shape_b], then_b.shape,
+                 s.slop() + s.h * reach, no_cache, then);
   if (then.count == 0 || !same_place(s, m, then.normal)) return;
   const Mat3 frame = matrix(m.frame), to_frame_then = transpose(shortest_turn(frame.c0, then.normal) * frame);
   for (std::size_t k = 0; k < m.count; ++k) {

@@ -59,9 +59,9 @@ void evaluate(const Forces& forces, const Bodies& bodies, std::span<const std::u
     const auto [first, last] = std::equal_range(thrusters.begin(), thrusters.end(), &here, by_body);
     for (auto f = first; f != last; ++f) {
       const Quat& q = bodies.orientation[i];
-      const Vec3 force = rotate(q, rotate(bodies.shape_frame[i].q, (*f)->force));
+      const Vec3 force = rotate(q, rotate(bodies.frame[i].q, (*f)->force));
       out[k].force += force;
-      out[k].torque += cross(rotate(q, bodies.shape_frame[i].point((*f)->at)), force);
+      out[k].torque += cross(rotate(q, bodies.frame[i].point((*f)->at)), force);
     }
   }
 }

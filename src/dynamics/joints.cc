@@ -135,6 +135,15 @@ std::uint32_t Joints::add(const JointDef& def, const Bodies& bodies) {
   return i;
 }
 
+void Joints::turn_frame(std::uint32_t i, std::uint32_t body, const Transform& to_new) {
+  const auto turn = [&](Vec3& anchor, Quat& basis) {
+    anchor = to_new.point(anchor);
+    basis = normalize(to_new.q * basis);
+  };
+  if (a[i] == body) turn(anchor_a[i], basis_a[i]);
+  if (b[i] == body) turn(anchor_b[i], basis_b[i]);
+}
+
 Pos anchor_a(const Joints& j, const Bodies& bodies, std::uint32_t i) {
   return anchor(j, bodies, i, j.a[i], j.anchor_a[i]);
 }

@@ -31,6 +31,8 @@ struct Joints {
   std::uint32_t add(const JointDef& def, const Bodies& bodies);
   void remove(std::uint32_t i) { slots.give_back(i); }
   std::uint32_t size() const { return slots.size(); }
+  // The body's frame has changed: old → new.
+  void turn_frame(std::uint32_t i, std::uint32_t body, const Transform& to_new);
   bool touches(std::uint32_t i, std::uint32_t body) const { return a[i] == body || b[i] == body; }
 
   friend void write(Writer&, const Joints&);

@@ -31,7 +31,7 @@ void ReferenceIslands::gather(const StepView& in) {
     for (std::uint32_t c = island.contacts.first; c < island.contacts.first + island.contacts.count; ++c) {
       pair_in_view_.push_back(c);
       PairRow& row = pairs_.emplace_back();
-      row.key = {in.contacts[c].a, in.contacts[c].b};
+      row.key = {in.contacts[c].shape_a, in.contacts[c].shape_b};
       row.manifold = *in.contacts[c].manifold;
     }
   }
@@ -39,9 +39,9 @@ void ReferenceIslands::gather(const StepView& in) {
 }
 
 void ReferenceIslands::look_again(const StepView& in) {
-  if (poses_.size() < in.bodies.size()) poses_.resize(in.bodies.size());
+  if (poses_.size() < in.bodies.shapes.size()) poses_.resize(in.bodies.shapes.size());
   for (const PairRow& row : pairs_) {
-    for (const std::uint32_t i : {row.key.a, row.key.b}) poses_[i] = in.bodies.shape_pose(i);
+    for (const std::uint32_t s : {row.key.a, row.key.b}) poses_[s] = in.bodies.shape_pose(s);
   }
   std::vector<std::uint32_t> all(pairs_.size());
   std::iota(all.begin(), all.end(), 0u);

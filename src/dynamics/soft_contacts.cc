@@ -71,7 +71,7 @@ class Preparation : public SoftBatch {
     const Vec3 n = manifold.normal, t1 = any_perpendicular(n), t2 = cross(n, t1);
     c.count = std::uint32_t(manifold.count);
 
-    const Vec3 to_shape = rotate(place.a.q, bodies.shape_frame[from.a].p);
+    const Vec3 to_shape = rotate(place.a.q, bodies.shape_frame(from.shape_a).p);
     Vec3 middle;
     for (std::size_t k = 0; k < c.count; ++k) middle += manifold.points[k].at / Real(c.count);
     const bool of_a = owned_by_a(from);
@@ -88,7 +88,7 @@ class Preparation : public SoftBatch {
     const Softness& soft = moves(c.a) && moves(c.b) ? between_bodies_ : on_ground_;
     row.bias_rate[lane] = soft.bias_rate, row.mass_scale[lane] = soft.mass_scale, row.impulse_scale[lane] = soft.impulse_scale;
 
-    const Vec3 surfaces = bodies.surface_velocity_world(from.a) - bodies.surface_velocity_world(from.b);
+    const Vec3 surfaces = bodies.surface_velocity_world(from.shape_a) - bodies.surface_velocity_world(from.shape_b);
     row.glide_1[lane] = dot(surfaces, t1), row.glide_2[lane] = dot(surfaces, t2);
     const Vec3 w = on_a.w - on_b.w;
     const Vec3 u = (on_a.v - on_b.v) + (cross(on_a.w, ra) - cross(on_b.w, rb));

@@ -20,6 +20,7 @@ inline int substeps(const Config& c) {
 // A touching pair of which at least one side moves.
 struct ActiveContact {
   std::uint32_t a, b;        // body slots
+  std::uint32_t shape_a, shape_b;
   std::uint32_t slot;        // in Contacts
   const Manifold* manifold;  // points relative to the origin of a's shape, world axes
   Material material;
@@ -38,7 +39,7 @@ struct StepView {
   std::span<const std::uint32_t> joints;
   std::span<const std::uint32_t> smooth;  // awake ones for Runge–Kutta: no contacts, no joints
   std::span<const std::uint32_t> kinematic;
-  std::span<const Geometry* const> geometries;  // by body slot
+  std::span<const Geometry* const> geometries;  // by shape slot
   // What a solver advances.
   Bodies& bodies;
   Joints& joint_state;

@@ -16,9 +16,14 @@ void write(Writer& w, const Geometry& g) {
 
 }
 
-void write(Writer& w, const Shape& shape) { write(w, w.by_example() ? Geometry{} : shape.geometry()); }
+void write(Writer& w, const Shape& shape) {
+  w.named("there", std::uint8_t(shape ? 1 : 0));
+  if (shape || w.by_example()) write(w, shape ? shape.geometry() : Geometry{});
+}
 
 void read(Reader& r, Shape& shape) {
+  shape = {};
+  if (r.value<std::uint8_t>() == 0) return;
   Geometry g;
   g.kind = r.value<ShapeKind>();
   g.radius = r.value<Real>(), g.half_length = r.value<Real>();

@@ -21,8 +21,8 @@ class Crowds {
       return both_move(p) && ++partners > few;
     });
     if (!many) return false;
-    inner_.assign(w_.bodies.size(), -1);
-    deep_in_.assign(w_.bodies.size(), 0);
+    inner_.assign(w_.bodies.shapes.size(), -1);
+    deep_in_.assign(w_.bodies.shapes.size(), 0);
     for (const ProxyPair& p : pairs_) {
       if (both_move(p) && deep(p)) ++deep_in_[p.a], ++deep_in_[p.b];
     }
@@ -31,13 +31,13 @@ class Crowds {
 
   // By pair: whether it is one of those that are too many.
   std::vector<std::uint8_t> too_many() const {
-    std::vector<std::uint32_t> before(w_.bodies.size(), 0);  // partners of smaller number
+    std::vector<std::uint32_t> before(w_.bodies.shapes.size(), 0);  // partners of smaller number
     for (const ProxyPair& p : pairs_) before[p.b] += crowded(p) ? 1 : 0;
-    // Whether body i, whose own place is that after `before`, keeps its n-th partner.
+    // Whether shape i, whose own place is that after `before`, keeps its n-th partner.
     const auto keeps = [&](std::uint32_t i, std::uint32_t n) {
       return std::has_single_bit(n < before[i] ? before[i] - n : n - before[i] + 1);
     };
-    std::vector<std::uint32_t> passed(w_.bodies.size(), 0);  // of the partners, which come in ascending order
+    std::vector<std::uint32_t> passed(w_.bodies.shapes.size(), 0);  // of the partners, which come in ascending order
     std::vector<std::uint8_t> marks(pairs_.size(), 0);
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
       const ProxyPair& p = pairs_[k];
@@ -49,13 +49,15 @@ class Crowds {
   }
 
  private:
-  bool both_move(const ProxyPair& p) const { return w_.bodies.dynamic(p.a) && w_.bodies.dynamic(p.b); }
+  bool both_move(const ProxyPair& p) const { return w_.bodies.dynamic(body(p.a)) && w_.bodies.dynamic(body(p.b)); }
   bool crowded(const ProxyPair& p) const { return deep_in_[p.a] > few && deep_in_[p.b] > few; }
 
   bool deep(const ProxyPair& p) {
     const Real reach = deep_share * (inner(p.a) + inner(p.b));
-    return length_squared(w_.bodies.position[p.a] - w_.bodies.position[p.b]) < square(reach);
+    return length_squared(center(p.a) - center(p.b)) < square(reach);
   }
+  std::uint32_t body(std::uint32_t s) const { return w_.bodies.shapes.body[s]; }
+  Pos center(std::uint32_t s) const { return w_.bodies.center_pose(body(s)).point(w_.bodies.shapes.center[s]); }
   Real inner(std::uint32_t i) {
     if (inner_[i] < 0) inner_[i] = inner_radius(w_.geometry_of(i));
     return inner_[i];
@@ -63,8 +65,8 @@ class Crowds {
 
   const World::Impl& w_;
   std::span<const ProxyPair> pairs_;
-  std::vector<Real> inner_;             // by body, m; below 0: not asked yet
-  std::vector<std::uint32_t> deep_in_;  // by body: how many others
+  std::vector<Real> inner_;             // by shape, m; below 0: not asked yet
+  std::vector<std::uint32_t> deep_in_;  // by shape: how many others
 };
 
 }

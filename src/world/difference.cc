@@ -27,6 +27,19 @@ Difference difference(const Part& a, const Part& b) {
           of_b[leaf].text};
 }
 
+// Whose field it is.
+void name_body(Difference& d, const Bodies& bodies) {
+  if (d.index < 0) return;
+  const auto row = std::uint32_t(d.index);
+  const auto take = [&](const std::string& prefix, const Slots& rows, auto body_of) {
+    if (d.field.rfind(prefix, 0) != 0 || !rows.used(row)) return;
+    d.field.erase(0, prefix.size());
+    d.body = bodies.slots.handle<BodyTag>(body_of(row));
+  };
+  take("bodies.", bodies.slots, [](std::uint32_t i) { return i; });
+  take("shapes.", bodies.shapes.slots, [&](std::uint32_t s) { return bodies.shapes.body[s]; });
+}
+
 }
 
 std::optional<Difference> difference(const World& a, const World& b) {
@@ -36,12 +49,7 @@ std::optional<Difference> difference(const World& a, const World& b) {
     const Part &part = of_a.parts()[i], &other = of_b.parts()[i];
     if (part.bytes == other.bytes) continue;
     Difference d = difference(part, other);
-    const std::string prefix = "bodies.";
-    const Slots& bodies = a.impl().bodies.slots;
-    if (d.field.rfind(prefix, 0) == 0 && d.index >= 0 && bodies.used(std::uint32_t(d.index))) {
-      d.field.erase(0, prefix.size());
-      d.body = bodies.handle<BodyTag>(std::uint32_t(d.index));
-    }
+    name_body(d, a.impl().bodies);
     return d;
   }
   return {};

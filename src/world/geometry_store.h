@@ -33,6 +33,7 @@ class GeometryStore {
     s.by_address_.clear(), s.by_content_.clear();
     for (std::uint32_t i = 0; i < s.size(); ++i) {
       read(r, s.shapes_[i]);
+      if (!s.shapes_[i]) throw Error("data", "holds no shape where one should be");
       s.by_address_.emplace(&s.shapes_[i].geometry(), i);
       s.by_content_[hash_of(s.shapes_[i])].push_back(i);
     }

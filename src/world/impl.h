@@ -38,6 +38,10 @@ template <class V, Like<PairMaterial> T>
 void describe(V& v, T& d) { v("key", d.key, any), v("material", d.material, any); }
 static_assert(sizeof(PairMaterial) == 8 + sizeof(Material), "saved as bytes");
 
+struct BodyPair {
+  std::uint32_t a, b;  // slots
+};
+
 // From 1 to Handle::worlds − 1, each call the next.
 std::uint32_t new_world_number();
 
@@ -47,7 +51,7 @@ struct World::Impl {
 
   // --- state ---
   Config config;
-  Bodies bodies;
+  Bodies bodies;                        // and their shapes
   std::vector<std::string> body_names;  // by slot
   std::vector<PairMaterial> pair_materials;  // sorted; all other pairs mix theirs
   Joints joints;
@@ -57,8 +61,8 @@ struct World::Impl {
   std::vector<SensorMemory> sensor_memory;
   Slots sensor_slots;
   PairTable pairs;                      // `row` is a slot of contacts
-  std::vector<Proxy> proxies;           // by body slot; their fat boxes decide which pairs exist
-  std::vector<double> way;                  // by body slot: how far any of its points can have come so far, m
+  std::vector<Proxy> proxies;           // by shape slot; their fat boxes decide which pairs exist
+  std::vector<double> way;              // by shape slot: how far any of its points can have come so far, m
   std::int64_t steps = 0;
   // time = clock_start + clock_steps · clock_step: multiplied, never summed
   double clock_start = 0, clock_step = 0;
@@ -76,15 +80,15 @@ struct World::Impl {
   std::vector<ProxyPair> found;             // and what it found
   JointGraph joint_graph;
   std::vector<PlaneProxy> planes;           // the half spaces, ascending
-  std::vector<ProxyPair> parted;            // bodies that a new joint forbids to touch, since the last search for pairs
+  std::vector<BodyPair> parted;             // that a new joint forbids to touch, since the last search for pairs
   std::unordered_map<std::string, std::vector<std::uint32_t>> named;  // bodies by name, ascending; only looked up
-  std::vector<std::uint32_t> hollows;       // bodies that are hollow, ascending
+  std::vector<std::uint32_t> hollows;       // shapes that are hollow, ascending
   PendingSet awake_bodies, moving_kinematic, awake_joints;
   Sleepers sleepers;
   HeldByFaces held_by_faces;
   std::vector<std::uint32_t> pushed;        // bodies whose force or torque may not be 0
   std::vector<std::uint32_t> awake, smooth, kinematic, active_joints;
-  std::vector<Pose> shape_poses;            // by body slot
+  std::vector<Pose> shape_poses;            // by shape slot, as the next one
   std::vector<const Geometry*> geometries;
   std::vector<std::uint8_t> looked_at;      // by pair: in the last stage `collide`
   std::vector<std::uint32_t> touching;      // pairs that touch and can change, island after island
@@ -124,10 +128,12 @@ struct World::Impl {
 
   // operations.cc
   Body perform(const AddBody&);
+  ShapeId perform(const AddShape&);
   ForceId perform(const AddForce&);
   SensorId perform(const AddSensor&);
   Joint perform(const AddJoint&);
   void perform(const RemoveBody&);
+  void perform(const RemoveShape&);
   void perform(const RemoveJoint&);
   void perform(const RemoveForce&);
   void perform(const RemoveSensor&);
@@ -145,13 +151,16 @@ struct World::Impl {
   // Throws Error(what, …) unless the handle is alive, and of this world.
   void require(Body, const char* what) const;
   void require(Joint, const char* what) const;
+  void require(ShapeId, const char* what) const;
   void require(ForceId, const char* what) const;
   void require(SensorId, const char* what) const;
 
   // upkeep.cc
-  const Geometry& geometry_of(std::uint32_t body) const { return geometry[bodies.geometry[body]].geometry(); }
-  bool is_half_space(std::uint32_t body) const { return geometry_of(body).kind == ShapeKind::half_space; }
-  Material pair_material(const ProxyPair&) const;
+  const Geometry& geometry_of(std::uint32_t shape) const { return geometry[bodies.shapes.geometry[shape]].geometry(); }
+  bool is_half_space(std::uint32_t shape) const { return geometry_of(shape).kind == ShapeKind::half_space; }
+  std::uint32_t body_of(std::uint32_t shape) const { return bodies.shapes.body[shape]; }
+  BodyPair bodies_of(const ProxyPair& key) const { return {body_of(key.a), body_of(key.b)}; }
+  Material pair_material(const ProxyPair&) const;  // of two shapes
   // Whether contacts are looked for before every sub-step, or once a step.
   bool detects_each_substep() const {
     return config.solver == Solver::impulse_2007 ? Impulse2007Solver::detects_each_substep
@@ -159,17 +168,24 @@ struct World::Impl {
   }
   int substeps() const { return sudar::substeps(config); }
   Real step_length() const { return Real(config.dt * double(config.time_factor)); }  // simulated s
-  Real contact_margin(std::uint32_t body) const;     // how near a body at rest is felt, m
+  // Of shapes.
+  Vec3 velocity_of(std::uint32_t shape) const;        // of its centre of mass
+  Real contact_margin(std::uint32_t shape) const;     // how near a shape at rest is felt, m
   Real pair_margin(std::uint32_t a, std::uint32_t b) const;  // how near two must be to get a contact
   Real pair_turn(std::uint32_t a, std::uint32_t b) const;    // how far they may turn in a step, rad
-  Real smaller_radius(std::uint32_t a, std::uint32_t b) const;  // of those of the two that are dynamic
-  Vec3 coming_way(std::uint32_t body) const;
-  void settle_boxes();                               // tells the broad phase of all changes
-  bool renew_box(std::uint32_t body, bool force);    // keeps the fat box around the body; whether it is another one
-  void touch_proxy(std::uint32_t body, bool force);  // the same, and notes a change
+  Real smaller_radius(std::uint32_t a, std::uint32_t b) const;  // of those of the two whose bodies are dynamic
+  Vec3 coming_way(std::uint32_t shape) const;
+  void settle_boxes();                                // tells the broad phase of all changes
+  bool renew_box(std::uint32_t shape, bool force);    // keeps the fat box around the shape; whether it is another one
+  void touch_proxy(std::uint32_t shape, bool force);  // the same, and notes a change
+  void describe_proxy(std::uint32_t shape);           // all of it but the box
+  void wake_near(std::uint32_t shape);                // what sleeps where it does not move
+  void enter(std::uint32_t shape);                    // it has come: box, plane, hollow
+  void leave(std::uint32_t shape);                    // it goes, and its pairs
+  // Of bodies.
   std::vector<std::uint32_t> pairs_of(std::uint32_t body) const;  // by key
   void end_pair(std::uint32_t pair);                 // it goes, its contact too; its bodies wake if they touched
-  bool forbidden(const ProxyPair&) const;            // by a joint between the two
+  bool forbidden(const BodyPair&) const;             // by a joint between the two
   void enlist(std::uint32_t body);                   // it moves: so its pairs and joints may change
   void enlist_joint(std::uint32_t joint);            // it has come
   void wake_island(std::uint32_t body);

@@ -17,6 +17,7 @@ void require_alive(const World::Impl& w, const Slots& slots, Id h, const char* w
 
 void World::Impl::require(Body b, const char* what) const { require_alive(*this, bodies.slots, b, what); }
 void World::Impl::require(Joint j, const char* what) const { require_alive(*this, joints.slots, j, what); }
+void World::Impl::require(ShapeId s, const char* what) const { require_alive(*this, bodies.shapes.slots, s, what); }
 void World::Impl::require(ForceId f, const char* what) const { require_alive(*this, forces.slots, f, what); }
 void World::Impl::require(SensorId s, const char* what) const { require_alive(*this, sensor_slots, s, what); }
 
@@ -25,23 +26,23 @@ void World::Impl::require(SensorId s, const char* what) const { require_alive(*t
 namespace {
 
 // A hollow collides with spheres only (shape.h): better refused than passed through in silence. Looks at the hollows, or
-// for a new hollow at all bodies.
-void check_hollows(const World::Impl& w, const BodyDef& def) {
-  const auto check = [&](std::uint32_t i) {
-    const ShapeKind mine = def.shape.kind(), other = w.geometry_of(i).kind;
+// for a new hollow at all shapes but those of its own body.
+void check_hollows(const World::Impl& w, const ShapeDef& part, Motion motion, std::uint32_t own, const std::string& field) {
+  const auto check = [&](std::uint32_t s) {
+    const ShapeKind mine = part.shape.kind(), other = w.geometry_of(s).kind;
     const bool strange = (is_hollow(mine) && other != ShapeKind::sphere) || (is_hollow(other) && mine != ShapeKind::sphere);
-    const bool one_moves = def.motion == Motion::dynamic || w.bodies.dynamic(i);
-    if (strange && one_moves && may_touch(def.filter, w.bodies.filter[i])) {
-      throw Error("shape", "would meet a hollow, or is one that would meet a body, and only spheres collide with "
-                           "hollows: let the filters keep the two apart");
+    const bool one_moves = motion == Motion::dynamic || w.bodies.dynamic(w.body_of(s));
+    if (strange && one_moves && w.body_of(s) != own && may_touch(*part.filter, w.bodies.shapes.filter[s])) {
+      throw Error(field, "would meet a hollow, or is one that would meet a body, and only spheres collide with "
+                         "hollows: let the filters keep the two apart");
     }
   };
-  if (!is_hollow(def.shape.kind())) {
-    for (const std::uint32_t i : w.hollows) check(i);
+  if (!is_hollow(part.shape.kind())) {
+    for (const std::uint32_t s : w.hollows) check(s);
     return;
   }
-  for (std::uint32_t i = 0; i < w.bodies.size(); ++i) {
-    if (w.bodies.slots.used(i)) check(i);
+  for (std::uint32_t s = 0; s < w.bodies.shapes.size(); ++s) {
+    if (w.bodies.shapes.slots.used(s)) check(s);
   }
 }
 
@@ -51,28 +52,51 @@ void insert(std::vector<std::uint32_t>& ascending, std::uint32_t i) {
   ascending.insert(std::ranges::lower_bound(ascending, i), i);
 }
 
+PlaneProxy plane_of(const World::Impl& w, std::uint32_t s) {
+  const Pose pose = w.bodies.shape_pose(s);
+  return {s, rotate(pose.q, Vec3{0, 1, 0}), pose.p};
+}
+
+}
+
+void World::Impl::enter(std::uint32_t s) {
+  if (s == proxies.size()) proxies.emplace_back(), shape_poses.emplace_back(), geometries.emplace_back(), way.push_back(0);
+  geometries[s] = &geometry_of(s);
+  if (is_hollow(geometries[s]->kind)) insert(hollows, s);
+  if (is_half_space(s)) planes.insert(std::ranges::lower_bound(planes, s, {}, &PlaneProxy::proxy), plane_of(*this, s));
+  proxies[s] = {};
+  touch_proxy(s, true);
+}
+
+void World::Impl::leave(std::uint32_t s) {
+  std::vector<std::uint32_t> own;
+  pairs.each(s, [&](std::uint32_t p) { own.push_back(p); });
+  std::ranges::sort(own, {}, [&](std::uint32_t p) { return pairs[p].key; });
+  for (const std::uint32_t p : own) end_pair(p);
+  std::erase_if(planes, [&](const PlaneProxy& p) { return p.proxy == s; });
+  std::erase(hollows, s);
+  proxies[s] = {};
+  changed.push_back(s);
 }
 
 Body World::Impl::perform(const AddBody& op) {
-  validate("", op.def);
-  check_body(op.def, around(*this));
-  check_hollows(*this, op.def);
-  const std::uint32_t i = bodies.add(op.def, geometry.number_of(op.def.shape));
-  if (i == body_names.size()) {
-    body_names.emplace_back(), proxies.emplace_back(), shape_poses.emplace_back(), geometries.emplace_back();
-    way.push_back(0);
+  const BodyDef& def = op.def;
+  validate("", def);
+  if (!def.shape && def.shapes.empty()) throw Error("shape", "is missing");
+  if (def.shape && !def.shapes.empty()) throw Error("shapes", "are given besides a shape: put that among them");
+  const std::vector<ShapeDef> shapes = shapes_of(def);
+  check_body(def, shapes, around(*this));
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    const std::string field = def.shape ? "shape" : std::string("shapes[").append(std::to_string(k)).append("].shape");
+    check_hollows(*this, shapes[k], def.motion, no_body, field);
   }
-  geometries[i] = &geometry_of(i);
-  body_names[i] = op.def.name;
-  if (!op.def.name.empty()) insert(named[op.def.name], i);
-  if (is_hollow(op.def.shape.kind())) insert(hollows, i);
-  proxies[i] = {};
-  if (is_half_space(i)) {
-    const Pose pose = bodies.shape_pose(i);
-    const auto at = std::find_if(planes.begin(), planes.end(), [&](const PlaneProxy& p) { return p.proxy > i; });
-    planes.insert(at, {i, rotate(pose.q, Vec3{0, 1, 0}), pose.p});
-  }
-  touch_proxy(i, true);
+  std::vector<std::uint32_t> numbers;
+  for (const ShapeDef& part : shapes) numbers.push_back(geometry.number_of(part.shape));
+  const std::uint32_t i = bodies.add(def, shapes, numbers);
+  if (i == body_names.size()) body_names.emplace_back();
+  body_names[i] = def.name;
+  if (!def.name.empty()) insert(named[def.name], i);
+  bodies.each_shape(i, [&](std::uint32_t s) { enter(s); });
   if (bodies.moves(i)) enlist(i);
   wake_around(i);
   return bodies.slots.handle<BodyTag>(i);
@@ -99,18 +123,94 @@ void World::Impl::perform(const RemoveBody& op) {
   for (std::uint32_t s = 0; s < sensor_slots.size(); ++s) {
     if (sensor_slots.used(s) && (sensors[s].a == op.body || sensors[s].b == op.body)) sensor_slots.give_back(s);
   }
-  for (const std::uint32_t p : pairs_of(i)) end_pair(p);
-  std::erase_if(planes, [&](const PlaneProxy& p) { return p.proxy == i; });
+  bodies.each_shape(i, [&](std::uint32_t s) { leave(s); });
   std::erase_if(pair_materials, [&](const PairMaterial& m) { return m.key.a == i || m.key.b == i; });
-  proxies[i] = {};
-  changed.push_back(i);
   if (const auto at = named.find(body_names[i]); at != named.end()) {
     std::erase(at->second, i);
     if (at->second.empty()) named.erase(at);
   }
-  std::erase(hollows, i);
   body_names[i].clear();
   bodies.remove(i);
+}
+
+// --- shapes of a body ---
+
+namespace {
+
+// What body i would weigh with one shape more, or without one that it has.
+std::optional<MassSum> weigh(const World::Impl& w, std::uint32_t i, const ShapeDef* more, std::uint32_t without) {
+  std::vector<MassPart> parts;
+  const Shapes& shapes = w.bodies.shapes;
+  w.bodies.each_shape(i, [&](std::uint32_t s) {
+    if (s == without || !has_mass(w.geometry_of(s).kind)) return;
+    parts.push_back({&w.geometry_of(s).mass, shapes.pose[s], double(shapes.density[s])});
+  });
+  if (more != nullptr && has_mass(more->shape.kind())) {
+    parts.push_back({&more->shape.geometry().mass, {more->at, more->turn}, double(*more->density)});
+  }
+  if (parts.empty()) return {};
+  return sum_masses(parts);
+}
+
+// Body i has got its shapes: all that is told in its body frame, or about its centre, is told anew.
+void renew_mass(World::Impl& w, std::uint32_t i, const std::optional<MassSum>& sum) {
+  Bodies& b = w.bodies;
+  std::vector<const Geometry*> geometries;
+  b.each_shape(i, [&](std::uint32_t s) { geometries.push_back(&w.geometry_of(s)); });
+  const Pos center = b.position[i];
+  const Vec3 velocity = b.velocity[i];
+  const Transform to_new = b.renew_mass(i, sum, geometries), to_old = inverse(to_new);
+  w.joint_graph.each_joint(i, [&](std::uint32_t j) { w.joints.turn_frame(j, i, to_new); });
+  for (const std::uint32_t p : w.pairs_of(i)) {
+    const PairRow& row = w.pairs[p];
+    if (row.row == no_row) continue;
+    Pose& then = w.body_of(row.key.a) == i ? w.contacts.place[row.row].a : w.contacts.place[row.row].b;
+    then = {then.point(to_old.p), normalize(then.q * to_old.q)};
+  }
+  for (std::uint32_t s = 0; s < w.sensor_slots.size(); ++s) {
+    if (!w.sensor_slots.used(s) || w.sensors[s].a.index != i) continue;
+    w.sensor_memory[s].position = w.sensor_memory[s].position + (b.position[i] - center);
+    w.sensor_memory[s].velocity += convert<double>(b.velocity[i] - velocity);
+  }
+}
+
+}
+
+ShapeId World::Impl::perform(const AddShape& op) {
+  require(op.body, "body");
+  validate("", op.def);
+  const std::uint32_t i = op.body.index;
+  const ShapeDef part = bodies.complete(i, op.def);
+  if (!has_mass(part.shape.kind()) && bodies.motion[i] != Motion::fixed) {
+    throw Error("shape", "has no mass, as a half space or a hollow: for fixed bodies only");
+  }
+  check_hollows(*this, part, bodies.motion[i], i, "shape");
+  const std::optional<MassSum> sum = weigh(*this, i, &part, no_shape);
+  if (sum) check_shape(bodies, i, *sum, around(*this));
+  wake_island(i);
+  const std::uint32_t s = bodies.add_shape(i, part, geometry.number_of(part.shape));
+  renew_mass(*this, i, sum);
+  bodies.each_shape(i, [&](std::uint32_t one) {
+    if (one == s) enter(one);
+    else touch_proxy(one, false);
+  });
+  wake_around(i);
+  return bodies.shapes.slots.handle<ShapeTag>(s);
+}
+
+void World::Impl::perform(const RemoveShape& op) {
+  require(op.shape, "shape");
+  const std::uint32_t s = op.shape.index, i = body_of(s);
+  if (bodies.first_shape[i] == s && bodies.shapes.next[s] == no_shape) {
+    throw Error("shape", "is the only one of its body: remove the body");
+  }
+  const std::optional<MassSum> sum = weigh(*this, i, nullptr, s);
+  if (sum) check_shape(bodies, i, *sum, around(*this));
+  wake_island(i);
+  leave(s);
+  bodies.remove_shape(s);
+  renew_mass(*this, i, sum);
+  bodies.each_shape(i, [&](std::uint32_t one) { touch_proxy(one, false); });
 }
 
 void World::Impl::perform(const Push& op) {
@@ -146,15 +246,15 @@ void World::Impl::perform(const Place& op) {
     const PairRow& row = pairs[p];
     if (row.row == no_row) continue;
     contacts.impulse[row.row] = {};  // what it carried, it carried elsewhere
-    wake_island(row.key.a);
-    wake_island(row.key.b);
+    wake_island(body_of(row.key.a));
+    wake_island(body_of(row.key.b));
   }
-  bodies.set_shape_pose(i, {op.at, normalize(op.turn)});
+  bodies.set_given_pose(i, {op.at, normalize(op.turn)});
   bodies.angular_momentum[i] = bodies.inertia_world(i) * bodies.spin[i];
   for (PlaneProxy& p : planes) {
-    if (p.proxy == i) p.normal = rotate(normalize(op.turn), Vec3{0, 1, 0}), p.point = op.at;
+    if (body_of(p.proxy) == i) p = plane_of(*this, p.proxy);
   }
-  touch_proxy(i, true);
+  bodies.each_shape(i, [&](std::uint32_t s) { touch_proxy(s, true); });
   wake_around(i);
 }
 
@@ -171,7 +271,9 @@ void World::Impl::perform(const SetVelocity& op) {
 void World::Impl::perform(const SetSurfaceVelocity& op) {
   require(op.body, "body");
   validate("", op);
-  bodies.surface_velocity[op.body.index] = op.velocity;
+  bodies.each_shape(op.body.index, [&](std::uint32_t s) {
+    bodies.shapes.surface_velocity[s] = rotate_back(bodies.shapes.pose[s].q, op.velocity);
+  });
   wake_island(op.body.index);
   wake_around(op.body.index);
 }
@@ -211,7 +313,7 @@ Joint World::Impl::perform(const AddJoint& op) {
   for (const Body body : {a, b}) {
     if (body.null()) continue;
     wake_island(body.index);
-    changed.push_back(body.index);  // the two may have to part
+    bodies.each_shape(body.index, [&](std::uint32_t s) { changed.push_back(s); });  // the two may have to part
   }
   return joints.slots.handle<JointTag>(j);
 }
@@ -222,7 +324,8 @@ void World::Impl::perform(const RemoveJoint& op) {
   for (const std::uint32_t body : {joints.a[j], joints.b[j]}) {
     if (body == no_body) continue;
     wake_island(body);
-    if (!may_collide(joints.definition[j])) changed.push_back(body);  // the two may touch from now on
+    if (may_collide(joints.definition[j])) continue;
+    bodies.each_shape(body, [&](std::uint32_t s) { changed.push_back(s); });  // the two may touch from now on
   }
   joint_graph.remove(j);
   joints.remove(j);
@@ -289,8 +392,8 @@ void World::Impl::perform(const SetConfig& op) {
   const bool other_broad = op.config.broad != config.broad;
   config = op.config;
   wake_all();
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    if (bodies.slots.used(i)) touch_proxy(i, false);
+  for (std::uint32_t s = 0; s < bodies.shapes.size(); ++s) {
+    if (bodies.shapes.slots.used(s)) touch_proxy(s, false);
   }
   pool->resize(std::uint32_t(config.workers));
   if (other_broad) rebuild();

@@ -25,6 +25,8 @@ struct Torque { Body body; Vec3 torque; };
 struct Load { Bytes state; };
 struct SetSurfaceVelocity { Body body; Vec3 velocity; };
 struct SetPairMaterial { Body a, b; std::optional<Material> material; };
+struct AddShape { Body body; ShapeDef def; };
+struct RemoveShape { ShapeId shape; };
 
 template <class V, class T>
   requires(Like<T, AddBody> || Like<T, AddForce> || Like<T, AddSensor> || Like<T, AddJoint>)
@@ -56,6 +58,11 @@ template <class V, Like<SetSurfaceVelocity> T>
 void describe(V& v, T& o) { v("body", o.body, any), v("surface_velocity", o.velocity, any); }
 template <class V, Like<SetPairMaterial> T>
 void describe(V& v, T& o) { v("a", o.a, any), v("b", o.b, any), v("material", o.material, any); }
+
+template <class V, Like<AddShape> T>
+void describe(V& v, T& o) { v("body", o.body, any), v("", o.def, any); }
+template <class V, Like<RemoveShape> T>
+void describe(V& v, T& o) { v("shape", o.shape, any); }
 
 using Operation = std::variant<std::monostate
 #define OP(name) , name

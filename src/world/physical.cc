@@ -1,5 +1,7 @@
 #include "world/physical.h"
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "dynamics/rotation.h"
 #include "dynamics/solve.h"
@@ -61,50 +63,70 @@ void check_velocity(const Load& load, const Surroundings& around) {
   if (!load.turn_fits(around)) throw Error("spin", too_fast_a_spin);
 }
 
-void check_mass(const BodyDef& def, const Surroundings& around) {
-  const double density = density_of(def);
-  const MassProperties m = mass_properties(def);
+// Which fields of a definition a mass comes from.
+struct MassFields {
+  const char *mass, *inertia;
+};
+
+// A body's load without its motion.
+Load check_mass(const MassSum& sum, Motion motion, const MassFields& from, const Surroundings& around) {
   const auto fits = [](double x) { return std::isfinite(Real(x)) && Real(x) > 0 && std::isfinite(1 / Real(x)); };
-  if (!fits(density * m.volume)) {
-    throw Error(def.mass > 0 ? "mass" : "density",
-                "makes a mass of " + text(density * m.volume) + " kg, which the precision cannot hold");
+  const double mass = sum.density * sum.unit.volume;
+  if (!fits(mass)) throw Error(from.mass, "makes a mass of " + text(mass) + " kg, which the precision cannot hold");
+  const Mat3d& tensor = sum.unit.inertia;
+  const bool finite = is_finite(sum.unit.center) && is_finite(tensor.c0) && is_finite(tensor.c1) && is_finite(tensor.c2);
+  const Vec3d moments = finite ? principal_frame(sum.unit).moments * sum.density : Vec3d{};
+  if (motion == Motion::dynamic && !(fits(moments.x) && fits(moments.y) && fits(moments.z))) {
+    throw Error(from.inertia, "makes an inertia that the precision cannot hold");
   }
-  const Vec3d moments = principal_frame(m).moments * density;
-  if (def.motion == Motion::dynamic && !(fits(moments.x) && fits(moments.y) && fits(moments.z))) {
-    throw Error(def.inertia ? "inertia" : "shape", "makes an inertia that the precision cannot hold");
+  Load load;
+  if (motion != Motion::dynamic) return load;
+  load.mass = mass, load.inverse_mass = 1 / mass;
+  load.largest_moment = max_component(moments);
+  load.inverse_smallest_moment = 1 / min(min(moments.x, moments.y), moments.z);
+  if (load.mass * max(1.0, around.gravity) > greatest_product) {
+    throw Error(from.mass, "makes a mass of " + text(load.mass) + " kg, whose weight the precision cannot hold");
   }
-  const double largest = max_component(moments);
-  if (def.inertia && largest > 1.001 * (moments.x + moments.y + moments.z - largest)) {
-    throw Error("inertia", "is of no body: a principal moment is greater than the sum of the others");
-  }
-  Load load{.speed = size(def.velocity), .spin = size(def.spin)};
-  if (def.motion == Motion::dynamic) {
-    const double smallest = min(min(moments.x, moments.y), moments.z);
-    load.mass = density * m.volume, load.inverse_mass = 1 / load.mass;
-    load.largest_moment = largest, load.inverse_smallest_moment = 1 / smallest;
-    if (load.mass * max(1.0, around.gravity) > greatest_product) {
-      throw Error(def.mass > 0 ? "mass" : "density",
-                  "makes a mass of " + text(load.mass) + " kg, whose weight the precision cannot hold");
-    }
-  }
-  check_velocity(load, around);
+  return load;
 }
 
 }
 
-void check_body(const BodyDef& def, const Surroundings& around) {
-  const bool massive = has_mass(def.shape.kind());
+void check_body(const BodyDef& def, std::span<const ShapeDef> shapes, const Surroundings& around) {
+  const bool massive = std::ranges::all_of(shapes, [](const ShapeDef& part) { return has_mass(part.shape.kind()); });
   if (!massive && def.motion != Motion::fixed) {
     throw Error("motion", "must be fixed: a half space or a hollow has no mass");
   }
   if (def.motion == Motion::fixed && (def.velocity != Vec3{} || def.spin != Vec3{})) {
     throw Error(def.velocity != Vec3{} ? "velocity" : "spin", "must be zero: the body is fixed");
   }
-  if (massive) {
-    check_mass(def, around);
-  } else if (def.center || def.inertia) {
-    throw Error(def.center ? "center" : "inertia", "is given, but a half space or a hollow has none");
+  const std::optional<MassSum> sum = mass_of(def, shapes);
+  if (!sum) {
+    if (def.center || def.inertia) {
+      throw Error(def.center ? "center" : "inertia", "is given, but a half space or a hollow has none");
+    }
+    return;
   }
+  const MassFields from{def.mass > 0 ? "mass" : "density", def.inertia ? "inertia" : def.shape ? "shape" : "shapes"};
+  Load load = check_mass(*sum, def.motion, from, around);
+  const Vec3d moments = def.inertia ? principal_frame(sum->unit).moments : Vec3d{};
+  const double largest = max_component(moments);
+  if (largest > 1.001 * (moments.x + moments.y + moments.z - largest)) {
+    throw Error("inertia", "is of no body: a principal moment is greater than the sum of the others");
+  }
+  load.speed = size(def.velocity), load.spin = size(def.spin);
+  check_velocity(load, around);
+}
+
+void check_shape(const Bodies& b, std::uint32_t i, const MassSum& sum, const Surroundings& around) {
+  Load load = check_mass(sum, b.motion[i], {"shape", "shape"}, around);
+  if (b.motion[i] != Motion::dynamic) return;
+  const Vec3d shift = sum.unit.center - convert<double>(inverse(b.frame[i]).p);  // of the centre, in the given frame
+  load.speed = size(b.velocity[i]) + size(b.spin[i]) * length(shift);
+  load.spin = size(b.spin[i]);
+  load.force = size(b.force[i]), load.torque = size(b.torque[i]) + load.force * length(shift);
+  if (!load.way_fits(around)) throw Error("shape", too_fast);
+  if (!load.turn_fits(around)) throw Error("shape", too_fast_a_spin);
 }
 
 void check_velocity(const Bodies& b, std::uint32_t i, const Vec3& velocity, const Vec3& spin, const Surroundings& around) {

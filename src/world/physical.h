@@ -14,7 +14,10 @@ struct Surroundings {
 };
 Surroundings surroundings(const Forces&, const Config&, double dt);
 
-void check_body(const BodyDef&, const Surroundings&);
+// `shapes`: those of the definition, complete (bodies.h).
+void check_body(const BodyDef&, std::span<const ShapeDef> shapes, const Surroundings&);
+// Body i with the mass that it would have with a shape more or less.
+void check_shape(const Bodies&, std::uint32_t i, const MassSum&, const Surroundings&);
 // A motion that body i can have, with what pushes it already.
 void check_velocity(const Bodies&, std::uint32_t i, const Vec3& velocity, const Vec3& spin, const Surroundings&);
 // A force [N] or torque [N m] on body i, besides what pushes it already. `field` names the one or the other.

@@ -12,7 +12,7 @@ constexpr std::uint64_t magic = 0x31302e7261647573;  // "sudar.01" as bytes
 
 }
 
-// Of a proxy only its box is state: the rest follows from the bodies.
+// Of a proxy only its box is state: the rest follows from its shape and body.
 void write(Writer& w, const Proxy& p) { w.named("low", p.box.low), w.named("high", p.box.high); }
 void read(Reader& r, Proxy& p) { read(r, p.box.low), read(r, p.box.high); }
 
@@ -21,14 +21,14 @@ void write(Writer& w, const PairTable& pairs) {
   const std::vector<std::uint32_t> all = pairs.sorted();
   w.rows<PairRow>(all.size(), [&](std::size_t i) -> const PairRow& { return pairs[all[i]]; });
 }
-void read(Reader& r, std::uint32_t bodies, PairTable& pairs) {
+void read(Reader& r, std::uint32_t shapes, PairTable& pairs) {
   std::vector<PairRow> rows;
   r.array(rows);
   pairs.clear();
   const ProxyPair* before = nullptr;
   for (const PairRow& row : rows) {
-    if (row.key.a >= row.key.b || row.key.b >= bodies || (before != nullptr && !(*before < row.key)))
-      throw Error("data", "holds a contact of bodies that it does not hold");
+    if (row.key.a >= row.key.b || row.key.b >= shapes || (before != nullptr && !(*before < row.key)))
+      throw Error("data", "holds a contact of shapes that it does not hold");
     before = &row.key;
     pairs[pairs.add(row.key)] = row;
   }
@@ -46,6 +46,7 @@ void World::Impl::write_state(Writer& w) const {
   of_world.workers = 1;  // how many there are is the machine's, not the world's
   w.named("config", of_world);
   w.named("bodies", bodies);
+  w.named("shapes", bodies.shapes);
   w.each("bodies.name", body_names);
   w.named("pair_materials", pair_materials);
   w.named("joints", joints);
@@ -56,8 +57,8 @@ void World::Impl::write_state(Writer& w) const {
   w.named("sensor_memory", sensor_memory);
   w.named("pairs", pairs);
   w.named("pairs.until", watches_of(*this));
-  w.named("bodies.way", way);
-  w.each("bodies.fat_box", proxies);
+  w.named("shapes.way", way);
+  w.each("shapes.fat_box", proxies);
   w.named("steps", steps);
   w.named("clock_start", clock_start), w.named("clock_step", clock_step), w.named("clock_steps", clock_steps);
 }
@@ -65,6 +66,7 @@ void World::Impl::write_state(Writer& w) const {
 void World::Impl::read_state(Reader& r) {
   read(r, config);
   read(r, bodies);
+  read(r, bodies.shapes);
   body_names.resize(bodies.size());
   for (std::string& name : body_names) name = r.text();
   r.array(pair_materials);
@@ -75,25 +77,19 @@ void World::Impl::read_state(Reader& r) {
   sensors.resize(sensor_slots.size());
   for (Sensor& s : sensors) read(r, s);
   r.array(sensor_memory);
-  read(r, bodies.size(), pairs);
+  read(r, bodies.shapes.size(), pairs);
   std::vector<double> until;
   r.array(until);
   r.array(way);
   const std::vector<std::uint32_t> all = pairs.sorted();
-  if (until.size() != all.size() || way.size() != bodies.size()) throw Error("data", "has arrays of different lengths");
+  if (until.size() != all.size() || way.size() != bodies.shapes.size()) throw Error("data", "has arrays of different lengths");
   for (std::size_t i = 0; i < all.size(); ++i) pairs.watches()[all[i]].until = until[i];
-  proxies.resize(bodies.size());
+  proxies.resize(bodies.shapes.size());
   for (Proxy& p : proxies) read(r, p);
   steps = r.value<std::int64_t>(), clock_start = r.value<double>(), clock_step = r.value<double>();
   clock_steps = r.value<std::int64_t>();
   if (r.left() != 0) throw Error("data", "goes on after its end");
   check_state();
-  for (std::uint32_t i = 0; i < bodies.size(); ++i) {
-    Proxy& p = proxies[i];
-    p.filter = bodies.filter[i];
-    p.fixed = bodies.motion[i] == Motion::fixed;
-    p.present = bodies.slots.used(i) && bodies.quarantined[i] == 0 && !is_half_space(i);
-  }
   rebuild();
 }
 
@@ -103,15 +99,34 @@ namespace {
 
 void check_body(const World::Impl& w, std::uint32_t i) {
   const Bodies& b = w.bodies;
-  if (b.geometry[i] >= w.geometry.size()) bad("names a geometry that it does not hold");
   if (!b.slots.used(i)) return;
   if (int(b.motion[i]) >= count_of(b.motion[i])) bad("holds a body whose motion is unknown");
-  if (b.motion[i] != Motion::fixed && !has_mass(w.geometry_of(i).kind)) bad("holds a moving body without mass");
   if (b.motion[i] != Motion::dynamic && b.inverse_mass[i] != 0) bad("holds a fixed body that moves");
   const bool finite = is_finite(b.position[i]) && is_finite(b.orientation[i]) && is_finite(b.velocity[i]) &&
                       is_finite(b.angular_momentum[i]) && is_finite(b.spin[i]);
-  if (!finite || !is_finite(w.proxies[i].box.low) || !is_finite(w.proxies[i].box.high))
-    bad("holds a body that is nowhere");
+  if (!finite) bad("holds a body that is nowhere");
+}
+
+// Every shape in use is in the list of its body, once, and in no other.
+void check_shapes(const World::Impl& w) {
+  const Bodies& b = w.bodies;
+  const Shapes& shapes = b.shapes;
+  std::vector<std::uint8_t> listed(shapes.size(), 0);
+  std::uint32_t count = 0;
+  for (std::uint32_t i = 0; i < b.size(); ++i) {
+    if (!b.slots.used(i)) continue;
+    if (b.first_shape[i] == no_shape) bad("holds a body without a shape");
+    for (std::uint32_t s = b.first_shape[i]; s != no_shape; s = shapes.next[s]) {
+      if (!shapes.slots.used(s) || shapes.body[s] != i || listed[s]++ != 0) bad("holds a body of shapes that are not its own");
+      ++count;
+      if (shapes.geometry[s] >= w.geometry.size()) bad("names a geometry that it does not hold");
+      if (b.motion[i] != Motion::fixed && !has_mass(w.geometry_of(s).kind)) bad("holds a moving body without mass");
+      const Transform& pose = shapes.pose[s];
+      const bool finite = is_finite(pose.p) && is_finite(pose.q) && is_finite(shapes.center[s]);
+      if (!finite || !is_finite(w.proxies[s].box.low) || !is_finite(w.proxies[s].box.high)) bad("holds a shape that is nowhere");
+    }
+  }
+  if (count != shapes.slots.live()) bad("holds a shape of no body");
 }
 
 void check_pair_materials(const World::Impl& w) {
@@ -130,7 +145,8 @@ void check_pairs(const World::Impl& w) {
   for (const std::uint32_t p : w.pairs.sorted()) {
     const PairRow& row = w.pairs[p];
     const auto [a, b] = row.key;
-    if (!w.bodies.slots.used(a) || !w.bodies.slots.used(b)) bad("holds a contact of bodies that it does not hold");
+    const Slots& shapes = w.bodies.shapes.slots;
+    if (!shapes.used(a) || !shapes.used(b) || w.body_of(a) == w.body_of(b)) bad("holds a contact of shapes that it does not hold");
     const bool touching = (row.manifold.bits & Manifold::touching) != 0;
     if (row.manifold.count < 0 || row.manifold.count > 4 || touching != (row.row != no_row))
       bad("holds a broken contact");
@@ -145,6 +161,7 @@ void check_pairs(const World::Impl& w) {
 void World::Impl::check_state() const {
   validate("config", config);
   for (std::uint32_t i = 0; i < bodies.size(); ++i) check_body(*this, i);
+  check_shapes(*this);
   check_pair_materials(*this);
   check_pairs(*this);
   for (std::uint32_t j = 0; j < joints.size(); ++j) {

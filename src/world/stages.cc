@@ -14,9 +14,15 @@ namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
 Body handle(const World::Impl& w, std::uint32_t i) { return w.bodies.slots.handle<BodyTag>(i); }
+ShapeId shape_handle(const World::Impl& w, std::uint32_t s) { return w.bodies.shapes.slots.handle<ShapeTag>(s); }
+
+Events::Touch touch(const World::Impl& w, const ProxyPair& key) {
+  const auto [a, b] = w.bodies_of(key);
+  return {handle(w, a), handle(w, b), shape_handle(w, key.a), shape_handle(w, key.b)};
+}
 
 // Whether the pair can change in this sub-step: somebody dynamic is in it, and somebody moves.
-bool can_change(const Bodies& b, const ProxyPair& p) {
+bool can_change(const Bodies& b, const BodyPair& p) {
   return (b.dynamic(p.a) || b.dynamic(p.b)) && (b.moves(p.a) || b.moves(p.b));
 }
 
@@ -30,8 +36,9 @@ bool carries(const Bodies& b, std::uint32_t i) {
 // even grow quiet, however slow the journey.
 void wake_sides(World::Impl& w, const ProxyPair& p) {
   const Bodies& b = w.bodies;
-  const bool driven = b.surface_velocity[p.a] != Vec3{} || b.surface_velocity[p.b] != Vec3{};
-  for (const auto& [side, other] : {p, ProxyPair{p.b, p.a}}) {
+  const bool driven = b.shapes.surface_velocity[p.a] != Vec3{} || b.shapes.surface_velocity[p.b] != Vec3{};
+  const auto [one, two] = w.bodies_of(p);
+  for (const auto& [side, other] : {BodyPair{one, two}, BodyPair{two, one}}) {
     if (b.asleep[side] != 0 ? !b.moves(other) : !driven && !carries(b, other)) continue;
     w.wake_island(side);
   }
@@ -55,16 +62,21 @@ void end_pairs(World::Impl& w) {
       if (!goes_on(w.pairs[p].key, w.proxies, w.planes)) ended.push_back(p);
     });
   }
-  for (const ProxyPair& key : w.parted) {
-    const std::uint32_t p = w.pairs.find(key);
-    if (p != PairTable::none && w.forbidden(key)) ended.push_back(p);
+  for (const BodyPair& parted : w.parted) {
+    if (!w.bodies.slots.used(parted.a) || !w.bodies.slots.used(parted.b) || !w.forbidden(parted)) continue;
+    w.bodies.each_shape(parted.a, [&](std::uint32_t s) {
+      w.pairs.each(s, [&](std::uint32_t p) {
+        const auto [a, b] = w.bodies_of(w.pairs[p].key);
+        if (a == parted.b || b == parted.b) ended.push_back(p);
+      });
+    });
   }
   w.parted.clear();
   std::ranges::sort(ended, {}, [&](std::uint32_t p) { return w.pairs[p].key; });
   ended.erase(std::unique(ended.begin(), ended.end()), ended.end());
   for (const std::uint32_t p : ended) {
     const PairRow& row = w.pairs[p];
-    if (row.row != no_row) w.events.ended.push_back({handle(w, row.key.a), handle(w, row.key.b)});
+    if (row.row != no_row) w.events.ended.push_back(touch(w, row.key));
     w.end_pair(p);
   }
 }
@@ -98,10 +110,10 @@ void find_pairs(World::Impl& w) {
       w.pairs.each(of, [&](std::uint32_t p) { partners.push_back(w.pairs[p].key.b); });
       std::sort(partners.begin(), partners.end());
     }
-    if (std::binary_search(partners.begin(), partners.end(), key.b) || w.forbidden(key)) continue;
+    if (std::binary_search(partners.begin(), partners.end(), key.b) || w.forbidden(w.bodies_of(key))) continue;
     if (!goes_on(key, w.proxies, w.planes)) continue;  // was found, but moved on since
     const std::uint32_t pair = w.pairs.add(key);
-    if (can_change(w.bodies, key)) w.pairs.activate(pair);
+    if (can_change(w.bodies, w.bodies_of(key))) w.pairs.activate(pair);
   }
   end_pairs(w);
   w.searched.clear(), w.found.clear();
@@ -117,11 +129,12 @@ bool keep_manifold(const World::Impl& w, PairRow& row, Real margin) {
   if (row.row == no_row || m.count < 3) return false;
   const Bodies& b = w.bodies;
   const ContactPlace& place = w.contacts.place[row.row];
+  const auto [on_a, on_b] = w.bodies_of(row.key);
   const auto turn = [](const Quat& now, const Quat& then) { return now * conjugate(then); };
-  const Quat turn_a = turn(b.orientation[row.key.a], place.a.q), turn_b = turn(b.orientation[row.key.b], place.b.q);
+  const Quat turn_a = turn(b.orientation[on_a], place.a.q), turn_b = turn(b.orientation[on_b], place.b.q);
   if (abs(turn_a.w) < least_cosine || abs(turn_b.w) < least_cosine) return false;
-  const Vec3 shift = (b.position[row.key.a] - place.a.p) - (b.position[row.key.b] - place.b.p);
-  const Vec3 to_shape = rotate(place.a.q, b.shape_frame[row.key.a].p), apart = place.a.p - place.b.p;
+  const Vec3 shift = (b.position[on_a] - place.a.p) - (b.position[on_b] - place.b.p);
+  const Vec3 to_shape = rotate(place.a.q, b.shape_frame(row.key.a).p), apart = place.a.p - place.b.p;
   const Real radius = w.smaller_radius(row.key.a, row.key.b);
   const Real far = min(Real(0.02) * w.config.length_unit, Real(0.04) * radius);
   // Points along an edge stay where they are while all else of a box turns about it.
@@ -167,7 +180,7 @@ void collide(World::Impl& w) {
     return b.slots.used(i) && b.motion[i] == Motion::kinematic && b.moves(i);
   });
   wake_carried(w);
-  std::vector<std::uint32_t> round = w.pairs.settle([&](const ProxyPair& key) { return can_change(b, key); });
+  std::vector<std::uint32_t> round = w.pairs.settle([&](const ProxyPair& key) { return can_change(b, w.bodies_of(key)); });
   w.looked_at.assign(w.pairs.rows().size(), 0);
   thin_crowds(w, round);
   while (!round.empty()) {
@@ -186,7 +199,8 @@ namespace {
 // Where its manifold was found.
 void note_place(World::Impl& w, const PairRow& row) {
   ContactPlace& place = w.contacts.place[row.row];
-  place.a = w.bodies.center_pose(row.key.a), place.b = w.bodies.center_pose(row.key.b);
+  const auto [a, b] = w.bodies_of(row.key);
+  place.a = w.bodies.center_pose(a), place.b = w.bodies.center_pose(b);
   for (std::size_t k = 0; k < 4; ++k) place.separation[k] = row.manifold.points[k].separation;
 }
 
@@ -196,15 +210,15 @@ void link_contacts(World::Impl& w, std::vector<std::uint32_t>& touching_rows) {
   for (const std::uint32_t r : w.pairs.active()) {
     if (w.looked_at[r] == 0) continue;
     PairRow& row = w.pairs[r];
-    const std::uint32_t a = row.key.a, c = row.key.b;
+    const auto [a, c] = w.bodies_of(row.key);
     if ((row.manifold.bits & Manifold::began) != 0) {
       row.row = w.contacts.add();
-      w.events.begun.push_back({handle(w, a), handle(w, c)});
+      w.events.begun.push_back(touch(w, row.key));
     }
     if ((row.manifold.bits & Manifold::ended) != 0) {
       w.contacts.remove(row.row);
       row.row = no_row;
-      w.events.ended.push_back({handle(w, a), handle(w, c)});
+      w.events.ended.push_back(touch(w, row.key));
     }
     if (!touching(row)) continue;
     if ((row.manifold.bits & Manifold::kept) == 0) note_place(w, row);
@@ -242,8 +256,8 @@ void list_islands(World::Impl& w, std::span<const std::uint32_t> awake, std::spa
   for (const std::uint32_t i : awake) w.island_of[i] = w.island_of[w.unions.root(i)];
   const auto of_body = [&](std::uint32_t i) { return w.island_of[i]; };
   const auto of_pair = [&](std::uint32_t r) {
-    const ProxyPair& key = w.pairs[r].key;
-    return w.island_of[b.dynamic(key.a) ? key.a : key.b];
+    const auto [one, two] = w.bodies_of(w.pairs[r].key);
+    return w.island_of[b.dynamic(one) ? one : two];
   };
   const auto of_joint = [&](std::uint32_t j) { return w.island_of[awake_side(w, j)]; };
   sort_by_island(w.islands, &Island::bodies, awake, of_body, w.awake);
@@ -253,7 +267,8 @@ void list_islands(World::Impl& w, std::span<const std::uint32_t> awake, std::spa
   w.active_contacts.clear();
   for (const std::uint32_t r : w.touching) {
     const PairRow& row = w.pairs[r];
-    w.active_contacts.push_back({row.key.a, row.key.b, row.row, &row.manifold, w.pair_material(row.key)});
+    const auto [one, two] = w.bodies_of(row.key);
+    w.active_contacts.push_back({one, two, row.key.a, row.key.b, row.row, &row.manifold, w.pair_material(row.key)});
   }
 }
 
@@ -330,8 +345,9 @@ void refit(World::Impl& w) {
   for (const std::vector<std::uint32_t>* moving : {&w.awake, &w.kinematic}) {
     const auto follow = [&](std::uint32_t worker, std::uint32_t first, std::uint32_t end) {
       for (std::uint32_t k = first; k < end; ++k) {
-        const std::uint32_t i = (*moving)[k];
-        if (w.renew_box(i, false)) left[worker].push_back(i);
+        w.bodies.each_shape((*moving)[k], [&](std::uint32_t s) {
+          if (w.renew_box(s, false)) left[worker].push_back(s);
+        });
       }
     };
     w.pool->for_ranges(std::uint32_t(moving->size()), 64, follow);

@@ -68,6 +68,13 @@ class Validator {
   void operator()(const char* name, const Shape& shape, const Range&) {
     if (!shape) fail(name, "is missing");
   }
+  void operator()(const char*, const Shape&, const MayBeMissing&) {}
+  template <class T, class Rule>
+  void operator()(const char* name, const std::vector<T>& parts, const Rule& rule) {
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      (*this)(std::string(name).append("[").append(std::to_string(k)).append("]").c_str(), parts[k], rule);
+    }
+  }
   template <class T, class Rule>
     requires requires(Validator& v, const T& x) { describe(v, x); }
   void operator()(const char* name, const T& x, const Rule&) {

@@ -17,7 +17,7 @@ std::uint32_t new_world_number() {
 }
 
 World::Impl::Impl(const Config& c, std::uint32_t n) : config(c), number(n) {
-  for (Slots* slots : {&bodies.slots, &joints.slots, &forces.slots, &sensor_slots}) slots->belong_to(number);
+  for (Slots* slots : {&bodies.slots, &bodies.shapes.slots, &joints.slots, &forces.slots, &sensor_slots}) slots->belong_to(number);
   rebuild();
 }
 
@@ -35,6 +35,8 @@ Body World::add(const BodyDef& def) { return impl_->operate(AddBody{def}); }
 ForceId World::add(const Force& def) { return impl_->operate(AddForce{def}); }
 SensorId World::add(const Sensor& def) { return impl_->operate(AddSensor{def}); }
 Joint World::join(const JointDef& def) { return impl_->operate(AddJoint{def}); }
+ShapeId World::add(Body b, const ShapeDef& def) { return impl_->operate(AddShape{b, def}); }
+void World::remove(ShapeId s) { impl_->operate(RemoveShape{s}); }
 void World::remove(Body b) { impl_->operate(RemoveBody{b}); }
 void World::remove(Joint j) { impl_->operate(RemoveJoint{j}); }
 void World::remove(ForceId f) { impl_->operate(RemoveForce{f}); }
@@ -66,6 +68,7 @@ const Events& World::events() const { return impl_->events; }
 const Profile& World::profile() const { return impl_->profile; }
 bool World::alive(Body b) const { return impl_->bodies.slots.alive(b); }
 bool World::alive(Joint j) const { return impl_->joints.slots.alive(j); }
+bool World::alive(ShapeId s) const { return impl_->bodies.shapes.slots.alive(s); }
 
 namespace {
 template <class Tag>
@@ -93,6 +96,10 @@ BodyView World::operator[](Body b) const {
   impl_->require(b, "body");
   return {this, b.index};
 }
+ShapeView World::operator[](ShapeId s) const {
+  impl_->require(s, "shape");
+  return {this, s.index};
+}
 JointView World::operator[](Joint j) const {
   impl_->require(j, "joint");
   return {this, j.index};
@@ -112,7 +119,7 @@ double World::value(SensorId s) const {
 
 // --- bodies ---
 
-Pose BodyView::pose() const { return world_->impl().bodies.shape_pose(index_); }
+Pose BodyView::pose() const { return world_->impl().bodies.given_pose(index_); }
 Pos BodyView::center() const { return world_->impl().bodies.position[index_]; }
 Vec3 BodyView::velocity() const { return world_->impl().bodies.velocity[index_]; }
 Vec3 BodyView::spin() const { return world_->impl().bodies.spin[index_]; }
@@ -127,13 +134,35 @@ double BodyView::kinetic_energy() const {
   return 0.5 * (double(b.mass[index_]) * dot(v, v) +
                 dot(convert<double>(b.spin[index_]), convert<double>(b.angular_momentum[index_])));
 }
-const Shape& BodyView::shape() const { return world_->impl().geometry[world_->impl().bodies.geometry[index_]]; }
-const Material& BodyView::material() const { return world_->impl().bodies.material[index_]; }
-const Vec3& BodyView::surface_velocity() const { return world_->impl().bodies.surface_velocity[index_]; }
+std::vector<ShapeId> BodyView::shapes() const {
+  const Bodies& b = world_->impl().bodies;
+  std::vector<ShapeId> shapes;
+  b.each_shape(index_, [&](std::uint32_t s) { shapes.push_back(b.shapes.slots.handle<ShapeTag>(s)); });
+  return shapes;
+}
+ShapeView BodyView::first() const { return {world_, world_->impl().bodies.first_shape[index_]}; }
+const Shape& BodyView::shape() const { return first().shape(); }
+const Material& BodyView::material() const { return first().material(); }
+const Vec3& BodyView::surface_velocity() const { return first().surface_velocity(); }
+Real BodyView::radius() const { return world_->impl().bodies.radius[index_]; }
 const std::string& BodyView::name() const { return world_->impl().body_names[index_]; }
 Motion BodyView::motion() const { return world_->impl().bodies.motion[index_]; }
 bool BodyView::asleep() const { return world_->impl().bodies.asleep[index_] != 0; }
 bool BodyView::quarantined() const { return world_->impl().bodies.quarantined[index_] != 0; }
+
+// --- shapes ---
+
+Body ShapeView::body() const {
+  const Bodies& b = world_->impl().bodies;
+  return b.slots.handle<BodyTag>(b.shapes.body[index_]);
+}
+Pose ShapeView::pose() const { return world_->impl().bodies.shape_pose(index_); }
+Transform ShapeView::at() const { return world_->impl().bodies.shapes.pose[index_]; }
+const Shape& ShapeView::shape() const { return world_->impl().geometry[world_->impl().bodies.shapes.geometry[index_]]; }
+Real ShapeView::density() const { return world_->impl().bodies.shapes.density[index_]; }
+const Material& ShapeView::material() const { return world_->impl().bodies.shapes.material[index_]; }
+const Vec3& ShapeView::surface_velocity() const { return world_->impl().bodies.shapes.surface_velocity[index_]; }
+const Filter& ShapeView::filter() const { return world_->impl().bodies.shapes.filter[index_]; }
 
 // --- joints ---
 
@@ -175,7 +204,7 @@ namespace {
 bool slides(const World& w, const Contact& c) {
   const Real still = Real(1e-4) * w.config().length_unit;
   const Bodies& b = w.impl().bodies;
-  const Vec3 surfaces = b.surface_velocity_world(c.a.index) - b.surface_velocity_world(c.b.index);
+  const Vec3 surfaces = b.surface_velocity_world(c.shape_a.index) - b.surface_velocity_world(c.shape_b.index);
   for (std::size_t k = 0; k < std::size_t(c.count); ++k) {
     const Vec3 u = w[c.a].velocity_at(c.points[k].at) - w[c.b].velocity_at(c.points[k].at) + surfaces;
     if (length(u - c.normal * dot(u, c.normal)) > still) return true;
@@ -191,13 +220,13 @@ std::vector<Contact> World::contacts() const {
   for (const std::uint32_t pair : w.pairs.sorted()) {
     const PairRow& row = w.pairs[pair];
     if (row.row == no_row) continue;
-    const std::uint32_t a = row.key.a, b = row.key.b;
+    const auto [a, b] = w.bodies_of(row.key);
     const Material material = w.pair_material(row.key);
     const ContactImpulse& impulse = w.contacts.impulse[row.row];
     Contact c{w.bodies.slots.handle<BodyTag>(a), w.bodies.slots.handle<BodyTag>(b), row.manifold.normal, {},
               row.manifold.count, material.friction_static, material.friction_dynamic, material.restitution,
-              false};
-    const Pos origin = w.bodies.shape_pose(a).p;
+              false, w.bodies.shapes.slots.handle<ShapeTag>(row.key.a), w.bodies.shapes.slots.handle<ShapeTag>(row.key.b)};
+    const Pos origin = w.bodies.shape_pose(row.key.a).p;
     for (std::size_t k = 0; k < std::size_t(c.count); ++k) {
       const ManifoldPoint& p = row.manifold.points[k];
       const Real cone = material.friction_static * impulse.normal[k];
@@ -213,15 +242,22 @@ std::vector<Contact> World::contacts() const {
 Material World::pair_material(Body a, Body b) const {
   impl_->require(a, "a");
   impl_->require(b, "b");
-  return impl_->pair_material({min(a.index, b.index), max(a.index, b.index)});
+  const Bodies& all = impl_->bodies;
+  return impl_->pair_material({all.first_shape[a.index], all.first_shape[b.index]});
 }
 
 bool World::touching(Body a, Body b) const {
   impl_->require(a, "a");
   impl_->require(b, "b");
-  const ProxyPair key{min(a.index, b.index), max(a.index, b.index)};
-  const std::uint32_t pair = impl_->pairs.find(key);
-  return pair != PairTable::none && impl_->pairs[pair].row != no_row;
+  const Impl& w = *impl_;
+  bool touch = false;
+  w.bodies.each_shape(a.index, [&](std::uint32_t s) {
+    w.pairs.each(s, [&](std::uint32_t p) {
+      const auto [one, two] = w.bodies_of(w.pairs[p].key);
+      touch |= w.pairs[p].row != no_row && (one == a.index ? two : one) == b.index;
+    });
+  });
+  return touch;
 }
 
 std::optional<RayHit> World::ray_cast(const Pos& from, const Vec3& direction, Real reach) const {
@@ -238,7 +274,8 @@ std::vector<RayHit> World::ray_cast(const Pos& from, const Vec3& direction, Real
   std::vector<RayHit> hits;
   BoxRay ray(from, direction, reach);
   const auto look = [&](std::uint32_t i) {
-    if (!w.bodies.slots.used(i) || !may_touch(query.filter, w.bodies.filter[i])) return;
+    const Shapes& shapes = w.bodies.shapes;
+    if (!shapes.slots.used(i) || !may_touch(query.filter, shapes.filter[i])) return;
     const Pose& pose = w.shape_poses[i];
     const Vec3 local = pose.local(from);
     RayOnGeometry hit{0, -direction};
@@ -248,22 +285,31 @@ std::vector<RayHit> World::ray_cast(const Pos& from, const Vec3& direction, Real
     } else {
       return;
     }
-    hits.push_back({w.bodies.slots.handle<BodyTag>(i), from + direction * hit.distance, hit.normal, hit.distance});
+    hits.push_back({w.bodies.slots.handle<BodyTag>(shapes.body[i]), from + direction * hit.distance, hit.normal, hit.distance,
+                    shapes.slots.handle<ShapeTag>(i)});
     if (!query.all) ray.reach = double(hit.distance);
   };
   for (const PlaneProxy& plane : w.planes) look(plane.proxy);
   w.broad->cast(w.proxies, ray, look);
   const auto order = [](const RayHit& p, const RayHit& q) {
-    return p.distance != q.distance ? p.distance < q.distance : p.body.index < q.body.index;
+    return p.distance != q.distance ? p.distance < q.distance : p.shape.index < q.shape.index;
   };
   std::sort(hits.begin(), hits.end(), order);
-  hits.erase(std::unique(hits.begin(), hits.end(), [](auto& p, auto& q) { return p.body == q.body; }), hits.end());
+  hits.erase(std::unique(hits.begin(), hits.end(), [](auto& p, auto& q) { return p.shape == q.shape; }), hits.end());
   if (!query.all && hits.size() > 1) hits.resize(1);
   return hits;
 }
 
 SignedDistance World::distance(Body a, Body b) const {
-  return sudar::distance((*this)[a].shape(), (*this)[a].pose(), (*this)[b].shape(), (*this)[b].pose());
+  std::optional<SignedDistance> nearest;
+  for (const ShapeId s : (*this)[a].shapes()) {
+    for (const ShapeId t : (*this)[b].shapes()) {
+      const ShapeView of_a = (*this)[s], of_b = (*this)[t];
+      const SignedDistance d = sudar::distance(of_a.shape(), of_a.pose(), of_b.shape(), of_b.pose());
+      if (!nearest || d.value < nearest->value) nearest = d;
+    }
+  }
+  return *nearest;
 }
 
 // --- sums ---
@@ -293,7 +339,7 @@ std::vector<std::uint32_t> World::islands() const {
   };
   for (const std::uint32_t pair : w.pairs.sorted()) {
     const PairRow& row = w.pairs[pair];
-    if (row.row != no_row) unite(row.key.a, row.key.b);
+    if (row.row != no_row) unite(w.body_of(row.key.a), w.body_of(row.key.b));
   }
   for (const Joint j : joints()) unite(w.joints.a[j.index], w.joints.b[j.index]);
   std::vector<std::uint32_t> roots;

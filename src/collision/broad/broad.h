@@ -15,6 +15,8 @@ struct Proxy {
   Filter filter;
   bool present = false;  // in use, and not a half space
   bool fixed = false;    // two fixed proxies never pair
+  std::uint32_t owner = nobody;  // neither do two of one owner
+  static constexpr std::uint32_t nobody = 0xffffffffu;
 };
 
 struct ProxyPair {
@@ -29,9 +31,12 @@ constexpr bool may_touch(const Filter& a, const Filter& b) {
   return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }
 
+constexpr bool of_one_owner(const Proxy& a, const Proxy& b) { return a.owner == b.owner && a.owner != Proxy::nobody; }
+
 // Whether two proxies pair: the one test by which pairs begin (every broad phase) and end (narrow/pairs.h).
 constexpr bool may_pair(const Proxy& a, const Proxy& b) {
-  return a.present && b.present && !(a.fixed && b.fixed) && overlap(a.box, b.box) && may_touch(a.filter, b.filter);
+  return a.present && b.present && !(a.fixed && b.fixed) && overlap(a.box, b.box) && may_touch(a.filter, b.filter) &&
+         !of_one_owner(a, b);
 }
 
 // A ray's way through boxes: from + t · direction for t in 0…reach.
@@ -61,7 +66,7 @@ class BroadPhase {
   virtual ~BroadPhase() = default;
   // `changed`: the proxies whose entry is new, moved or gone since the last call, ascending. Appends every overlapping
   // pair of which at least one side is in `changed`: sorted, each once, closed boxes (touching counts), filtered, never
-  // both fixed.
+  // both fixed or of one owner.
   virtual void update(std::span<const Proxy> proxies, std::span<const std::uint32_t> changed,
                       std::vector<ProxyPair>& out) = 0;
   // Appends the proxies whose boxes, as they were at the last update, overlap the box; others do no harm, each once. In

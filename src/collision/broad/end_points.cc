@@ -12,7 +12,7 @@ double EndPointSweep::target(int axis, const EndPoint& e) const {
 
 bool EndPointSweep::overlapping(const ProxyPair& p) const {
   const Proxy &a = proxies_[p.a], &b = proxies_[p.b];
-  return a.present && b.present && !(a.fixed && b.fixed) && overlap(a.box, b.box);
+  return a.present && b.present && !(a.fixed && b.fixed) && overlap(a.box, b.box) && !of_one_owner(a, b);
 }
 
 void EndPointSweep::meet(const EndPoint& a, const EndPoint& b) {
@@ -21,11 +21,12 @@ void EndPointSweep::meet(const EndPoint& a, const EndPoint& b) {
 }
 
 void EndPointSweep::assign_roles(std::span<const std::uint32_t> changed) {
-  listed_.resize(max(listed_.size(), proxies_.size()), Listed::no);
+  listed_.resize(max(listed_.size(), proxies_.size()));
   roles_.assign(proxies_.size(), Role::rests);
   for (const std::uint32_t i : changed) {
     const Proxy& p = proxies_[i];
-    const Listed now = !p.present ? Listed::no : p.fixed ? Listed::fixed : Listed::moving;
+    using enum Listed::Kind;
+    const Listed now{!p.present ? no : p.fixed ? fixed : moving, p.owner};
     roles_[i] = now == listed_[i] ? Role::moves : Role::enters_or_leaves;
     listed_[i] = now;
   }

@@ -50,7 +50,12 @@ class EndPointSweep : public BroadPhase {
 
  private:
   enum class Role : std::uint8_t { rests, moves, enters_or_leaves };
-  enum class Listed : std::uint8_t { no, moving, fixed };
+  // As what a proxy is known.
+  struct Listed {
+    enum class Kind : std::uint8_t { no, moving, fixed } kind = Kind::no;
+    std::uint32_t owner = Proxy::nobody;
+    bool operator==(const Listed&) const = default;
+  };
 
   void assign_roles(std::span<const std::uint32_t> changed);
   void remove_ends();
@@ -62,7 +67,7 @@ class EndPointSweep : public BroadPhase {
 
   std::array<Axis, 3> axes_;
   std::vector<Listed> listed_;    // by proxy
-  std::vector<ProxyPair> table_;  // overlapping, not both fixed, whatever their filters; sorted
+  std::vector<ProxyPair> table_;  // overlapping, not both fixed or of one owner, whatever their filters; sorted
 
   // During an update:
   std::span<const Proxy> proxies_;
