@@ -13,7 +13,7 @@ import sys
 from sources import ROOT, generate
 
 LINE = re.compile(r'^(\w*FIELD)\(([\w:]+), (\w+), "([^"]*)", "([^"]*)"\)(?: *// (.*))?$')
-TITLES = {"FIELD": "Bodies", "JOINT_FIELD": "Joints", "CONTACT_FIELD": "Touching pairs"}
+TITLES = {"FIELD": "Bodies", "SHAPE_FIELD": "Shapes of bodies", "JOINT_FIELD": "Joints", "CONTACT_FIELD": "Touching pairs"}
 
 HEAD = """# The state of a world
 
@@ -25,7 +25,7 @@ the step (`src/world/stages.h`). Written by `tools/state_index.py --write` from 
 TAIL = """
 ## Besides the arrays
 
-In this order in a snapshot (`src/world/snapshot.cc`): the settings; bodies, with the names of the bodies; the materials
+In this order in a snapshot (`src/world/snapshot.cc`): the settings; bodies; their shapes; the names of the bodies; the materials
 set for pairs; joints, with their definitions; forces; touching pairs; sensors, with their memories; the table of pairs
 (`src/collision/narrow/pairs.h`: manifolds, cached axes); the fat boxes that decide which pairs exist; the clock. Geometry
 stands before all of these: it is stored once by content, and is not hashed.

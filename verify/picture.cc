@@ -72,12 +72,11 @@ std::vector<Picture::Point> Picture::outline_of(std::vector<Point> p) {
   return chain;
 }
 
-Picture::Item Picture::draw_body(const BodyView& b, std::size_t number) {
+Picture::Item Picture::draw_shape(const ShapeView& b, bool fixed, std::size_t number) {
   const Pose pose = b.pose();
   const Quatd q = convert<double>(pose.q);
   const auto place = [&](const Vec3d& p) { return rotate(q, p) + Vec3d{pose.p.x, pose.p.y, pose.p.z}; };
   const auto seen = [](const Vec3d& p) { return Point{view.x(p), view.y(p)}; };
-  const bool fixed = b.motion() != Motion::dynamic;
   const double hue = std::fmod(205 + 137.508 * double(number), 360);
   Item item{dot(view.away, place({})), fixed ? "hsl(215 8%" : "hsl(" + std::to_string(int(hue)) + " 52%", {}, fixed};
   if (b.shape().kind() != ShapeKind::hull) {
@@ -105,17 +104,23 @@ void Picture::add(const World& w) {
   std::size_t number = 0;
   double moving = 0;
   for (const Body b : w.bodies()) {
-    const ShapeKind kind = w[b].shape().kind();
-    if (kind == ShapeKind::half_space) {
-      const Pose pose = w[b].pose();
-      const Quatd q = convert<double>(pose.q);
-      m.floors.push_back({{pose.p.x, pose.p.y, pose.p.z}, rotate(q, Vec3d{1, 0, 0}), rotate(q, Vec3d{0, 0, 1})});
-    } else if (!is_hollow(kind)) {
-      m.items.push_back(draw_body(w[b], number++));
-      if (m.items.back().fixed) continue;
-      const Pos p = w[b].center();
-      m.middle += (Vec3d{p.x, p.y, p.z} - m.middle) * (1 / ++moving);
+    const bool fixed = w[b].motion() != Motion::dynamic;
+    const std::size_t before = m.items.size();
+    for (const ShapeId s : w[b].shapes()) {
+      const ShapeKind kind = w[s].shape().kind();
+      if (kind == ShapeKind::half_space) {
+        const Pose pose = w[s].pose();
+        const Quatd q = convert<double>(pose.q);
+        m.floors.push_back({{pose.p.x, pose.p.y, pose.p.z}, rotate(q, Vec3d{1, 0, 0}), rotate(q, Vec3d{0, 0, 1})});
+      } else if (!is_hollow(kind)) {
+        m.items.push_back(draw_shape(w[s], fixed, number));
+      }
     }
+    if (m.items.size() == before) continue;
+    ++number;
+    if (fixed) continue;
+    const Pos p = w[b].center();
+    m.middle += (Vec3d{p.x, p.y, p.z} - m.middle) * (1 / ++moving);
   }
   for (const Joint j : w.joints()) {
     std::vector<Pos> way{w[j].anchor_a(), w[j].anchor_b()};

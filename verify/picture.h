@@ -42,7 +42,7 @@ class Picture {
   Frame frame() const;
   static std::string draw(const Item&, const Frame&);
   static std::vector<Point> outline_of(std::vector<Point>);
-  static Item draw_body(const BodyView&, std::size_t number);
+  static Item draw_shape(const ShapeView&, bool fixed, std::size_t number);
   std::vector<Moment> moments_;
 };
 

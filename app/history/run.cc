@@ -97,7 +97,7 @@ void Run::act(const Grab& deed) {
   if (!world().alive(body) || world()[body].motion() != Motion::dynamic) return;
   const BodyView view = world()[body];
   // The picture may be a step old: where the ray no longer meets the body, take the ray's point nearest to its centre.
-  const auto hit = world().ray_cast(ray.from, ray.direction, reach * view.shape().bounding_radius());
+  const auto hit = world().ray_cast(ray.from, ray.direction, reach * view.radius());
   const Pos at =
       hit && hit->body == body ? hit->at : ray.from + ray.direction * dot(view.center() - ray.from, ray.direction);
   grabbed_ = Grabbed{body, view.pose().local(at), double(dot(at - ray.from, ray.forward)), at};

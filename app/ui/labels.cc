@@ -20,7 +20,7 @@ struct Label {
 void draw_labels(const Controls& controls, const Area& area) {
   std::vector<Label> labels;
   for (const view::Instance& i : controls.scene.instances) {
-    if (i.fixed) continue;
+    if (i.fixed || !i.first) continue;
     const auto at = controls.camera.project(i.pose.p, area.width, area.height);
     if (at && at->x > 0 && at->y > 0 && at->x < area.width && at->y < area.height) labels.push_back({&i, *at});
   }

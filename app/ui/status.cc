@@ -41,7 +41,7 @@ void StatusFile::write(const Controls& c, const Window& window, double frames_pe
   int asleep = 0;
   for (const view::Instance& i : m.scene.instances) {
     fastest = std::max(fastest, i.speed);
-    asleep += i.asleep ? 1 : 0;
+    asleep += i.asleep && i.first ? 1 : 0;
   }
   const Quat turn = m.selected ? m.selected->pose.q : Quat{};
   const Json j = {

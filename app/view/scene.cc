@@ -25,12 +25,24 @@ Pose mix(const Pose& a, const Pose& b, double share) {
   return {a.p + (b.p - a.p) * t, normalize(q)};
 }
 
-// Both lists are in the order of the bodies' numbers, so one walk finds the pairs.
+// Finds the shapes of one list in another, if asked for them in their order: both lists are in that of the bodies' numbers.
+class Twins {
+ public:
+  explicit Twins(const std::vector<Instance>& list) : at_(list.begin()), end_(list.end()) {}
+  const Instance* of(const Instance& i) {
+    while (at_ != end_ && at_->body.index < i.body.index) ++at_;
+    const auto of_body = std::find_if(at_, end_, [&](const Instance& k) { return k.body != i.body || k.part == i.part; });
+    return of_body != end_ && of_body->body == i.body ? &*of_body : nullptr;
+  }
+
+ private:
+  std::vector<Instance>::const_iterator at_, end_;
+};
+
 void mix(const std::vector<Instance>& before, std::vector<Instance>& after, double share) {
-  auto old = before.begin();
+  Twins twins(before);
   for (Instance& i : after) {
-    while (old != before.end() && old->body.index < i.body.index) ++old;
-    if (old != before.end() && old->body == i.body) i.pose = mix(old->pose, i.pose, share);
+    if (const Instance* old = twins.of(i)) i.pose = mix(old->pose, i.pose, share);
   }
 }
 
@@ -42,11 +54,10 @@ void add_instance(Scene& scene, const Shape& shape, Instance instance) {
 }
 
 void add_ghosts(Scene& scene, const Scene& other) {
-  auto own = scene.instances.begin();
+  Twins own(scene.instances);
   for (Instance i : other.instances) {
     if (i.fixed) continue;
-    while (own != scene.instances.end() && own->body.index < i.body.index) ++own;
-    if (own != scene.instances.end() && own->body == i.body && own->pose == i.pose) continue;
+    if (const Instance* twin = own.of(i); twin != nullptr && twin->pose == i.pose) continue;
     i.shape = add_shape(scene, other.shapes[i.shape]);
     scene.ghosts.push_back(i);
   }

@@ -11,11 +11,14 @@
 
 namespace sudar::view {
 
+// One shape of a body.
 struct Instance {
   std::uint32_t shape = 0;  // number in Scene::shapes
   Pose pose{};
   Vec3f colour{0.5f, 0.5f, 0.5f};  // linear light, 0…1
   Body body{};                     // null: not a body
+  ShapeId part{};                  // which of its shapes
+  bool first = true;               // of them: it stands for the body where that counts once
   bool fixed = false, asleep = false;
   float speed = 0;           // m/s
   std::uint32_t island = 0;  // those of one island have the same number; of a body alone its own
@@ -62,7 +65,7 @@ struct Link {
 
 struct Scene {
   std::vector<Shape> shapes;        // each once
-  std::vector<Instance> instances;  // in the order of World::bodies()
+  std::vector<Instance> instances;  // in the order of World::bodies(), and of their shapes
   std::vector<Instance> ghosts;     // of another run: translucent, and nothing that could be picked
   std::vector<ContactMark> contacts;
   std::vector<JointMark> joints;
@@ -79,7 +82,7 @@ struct Detail {
   bool operator==(const Detail&) const = default;
 };
 
-// Colours depend only on a body's shape and number, so that a body keeps its colour all through a movie. `palette`:
+// Colours depend only on a body's first shape and its number, so that a body keeps its colour all through a movie. `palette`:
 // where in the list of colours the scene begins; any number.
 Scene make_scene(const World&, const Detail& = {}, std::uint32_t palette = 0);
 

@@ -1,4 +1,6 @@
 // World → Scene.
+#include <cmath>
+
 #include "view/palette.h"
 #include "view/scene.h"
 
@@ -7,25 +9,31 @@ namespace sudar::view {
 namespace {
 
 void add_bodies(Scene& scene, const World& world, std::uint32_t palette) {
-  // Gradients are numbered by the shapes that move: grey things use none up.
+  // Gradients are numbered by the first shapes of what moves: grey things use none up.
   std::vector<std::uint32_t> gradient;
   std::uint32_t next = palette;
   for (const Body b : world.bodies()) {
     const BodyView view = world[b];
     const bool fixed = view.motion() == Motion::fixed;
-    add_instance(scene, view.shape(),
-                 {.pose = view.pose(),
-                  .body = b,
-                  .fixed = fixed,
-                  .asleep = view.asleep(),
-                  .speed = float(length(view.velocity())),
-                  .name = view.name()});
-    Instance& instance = scene.instances.back();
+    const std::size_t first = scene.instances.size();
+    for (const ShapeId s : view.shapes()) {
+      add_instance(scene, world[s].shape(),
+                   {.pose = world[s].pose(),
+                    .body = b,
+                    .part = s,
+                    .first = scene.instances.size() == first,
+                    .fixed = fixed,
+                    .asleep = view.asleep(),
+                    .speed = float(length(view.velocity())),
+                    .name = view.name()});
+    }
     constexpr std::uint32_t none = ~0u;
     gradient.resize(scene.shapes.size(), none);
-    std::uint32_t& own = gradient[instance.shape];
+    std::uint32_t& own = gradient[scene.instances[first].shape];
     if (!fixed && own == none) own = next++;
-    instance.colour = fixed ? fixed_colour() : body_colour(own, b.index);
+    for (std::size_t n = first; n < scene.instances.size(); ++n) {
+      scene.instances[n].colour = fixed ? fixed_colour() : body_colour(own, b.index);
+    }
   }
 }
 
@@ -39,8 +47,8 @@ void add_contacts(Scene& scene, const World& world) {
 
 // How large a body is to the eye; 0 for what has no size.
 float size_of(const World& world, Body b) {
-  if (b.null() || world[b].shape().kind() == ShapeKind::half_space) return 0;
-  return float(world[b].shape().bounding_radius());
+  if (b.null() || !std::isfinite(world[b].radius())) return 0;
+  return float(world[b].radius());
 }
 
 // The free coordinate of a hinge or slider, of a joint that has one.
@@ -122,15 +130,17 @@ void add_forces(Scene& scene, const World& world) {
 }
 
 void add_islands(Scene& scene, const World& world) {
-  const std::vector<std::uint32_t> islands = world.islands();  // in the order of the instances
+  const std::vector<std::uint32_t> islands = world.islands();  // in the order of the bodies
   std::vector<std::uint32_t> members;
   for (const std::uint32_t i : islands) {
     if (i >= members.size()) members.resize(i + 1);
     ++members[i];
   }
-  for (std::size_t n = 0; n < islands.size(); ++n) {
-    scene.instances[n].island = islands[n];
-    scene.instances[n].alone = members[islands[n]] < 2;
+  std::size_t bodies = 0;
+  for (Instance& i : scene.instances) {
+    bodies += i.first ? 1 : 0;
+    i.island = islands[bodies - 1];
+    i.alone = members[i.island] < 2;
   }
 }
 

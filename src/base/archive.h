@@ -241,8 +241,8 @@ void write(Writer& w, const std::vector<T>& parts) {
 template <class T>
   requires(!std::is_trivially_copyable_v<T>)
 void read(Reader& r, std::vector<T>& parts) {
-  parts.resize(r.count(1));
-  for (T& part : parts) read(r, part);
+  parts.clear();
+  for (std::size_t n = r.count(1); n > 0; --n) read(r, parts.emplace_back());
 }
 
 // An optional value: whether it is there, then itself.

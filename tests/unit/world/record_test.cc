@@ -29,7 +29,9 @@ Bytes record_everything(World& w, int steps = 40) {
       c.substeps = 3, c.impulse_2007.contact_passes = 33;
       w.set_config(c);
     }
+    if (i == 12) w.add(a, {.shape = sphere(Real(0.2)), .at = {0, Real(0.7), 0}});
     if (i == 13) w.wake(before);
+    if (i == 14) w.remove(w[a].shapes()[0]);
     if (i == 15) w.remove(sensor);
     if (i == 17) w.remove(drag);
     if (i == 19) w.remove(hinge);
