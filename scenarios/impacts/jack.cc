@@ -45,6 +45,6 @@ struct Jack : Scenario {
     c.near("feet on the floor", double(w.contacts().size()), 3, 0);
     c.below("speed at the end", length(w[jack].velocity()), 1e-3, "m/s");
   }
-  std::optional<Camera> camera() const override { return Camera{{5, 2.5, 5}, {2, 1, 0}}; }
+  std::optional<Camera> camera() const override { return Camera{{2.8, 1.6, 0.6}, {0.6, 0.5, -1.6}}; }
 };
 SUDAR_SCENARIO(Jack, "Impacts/Jack")

@@ -63,9 +63,10 @@ void check_velocity(const Load& load, const Surroundings& around) {
   if (!load.turn_fits(around)) throw Error("spin", too_fast_a_spin);
 }
 
-// Which fields of a definition a mass comes from.
+// Which fields of a definition a mass comes from, and whether the inertia is a given one.
 struct MassFields {
   const char *mass, *inertia;
+  bool given = false;
 };
 
 // A body's load without its motion.
@@ -79,10 +80,14 @@ Load check_mass(const MassSum& sum, Motion motion, const MassFields& from, const
   if (motion == Motion::dynamic && !(fits(moments.x) && fits(moments.y) && fits(moments.z))) {
     throw Error(from.inertia, "makes an inertia that the precision cannot hold");
   }
+  const double largest = max_component(moments);
+  if (from.given && largest > 1.001 * (moments.x + moments.y + moments.z - largest)) {
+    throw Error(from.inertia, "is of no body: a principal moment is greater than the sum of the others");
+  }
   Load load;
   if (motion != Motion::dynamic) return load;
   load.mass = mass, load.inverse_mass = 1 / mass;
-  load.largest_moment = max_component(moments);
+  load.largest_moment = largest;
   load.inverse_smallest_moment = 1 / min(min(moments.x, moments.y), moments.z);
   if (load.mass * max(1.0, around.gravity) > greatest_product) {
     throw Error(from.mass, "makes a mass of " + text(load.mass) + " kg, whose weight the precision cannot hold");
@@ -107,13 +112,8 @@ void check_body(const BodyDef& def, std::span<const ShapeDef> shapes, const Surr
     }
     return;
   }
-  const MassFields from{def.mass > 0 ? "mass" : "density", def.inertia ? "inertia" : def.shape ? "shape" : "shapes"};
-  Load load = check_mass(*sum, def.motion, from, around);
-  const Vec3d moments = def.inertia ? principal_frame(sum->unit).moments : Vec3d{};
-  const double largest = max_component(moments);
-  if (largest > 1.001 * (moments.x + moments.y + moments.z - largest)) {
-    throw Error("inertia", "is of no body: a principal moment is greater than the sum of the others");
-  }
+  const char* of_inertia = def.inertia ? "inertia" : def.shape ? "shape" : "shapes";
+  Load load = check_mass(*sum, def.motion, {def.mass > 0 ? "mass" : "density", of_inertia, def.inertia.has_value()}, around);
   load.speed = size(def.velocity), load.spin = size(def.spin);
   check_velocity(load, around);
 }

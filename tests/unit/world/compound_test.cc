@@ -439,7 +439,7 @@ TEST(CompoundErrors, NameTheField) {
   body("shapes", [](BodyDef& d) { d.shape = sphere(1); });
   body("shape", [](BodyDef& d) { d.shapes.clear(); });
   body("motion", [](BodyDef& d) { d.shapes[1].shape = half_space(); });
-  body("density", [](BodyDef& d) { d.density = Real(1e-38), d.shapes[0].shape = d.shapes[1].shape = sphere(Real(1e-4)); });
+  body("density", [](BodyDef& d) { d.density = Real(by_precision(1e-38, 1e-308)), d.shapes[0].shape = d.shapes[1].shape = sphere(Real(1e-4)); });
   const Body b = w.add(dumbbell()), lonely = w.add(cube({9, 0, 0}));
   const ShapeId only = w[lonely].shapes()[0], gone = w.add(b, {.shape = sphere(Real(0.1))});
   w.remove(gone);
