@@ -79,7 +79,7 @@ Picture::Item Picture::draw_shape(const ShapeView& b, bool fixed, std::size_t nu
   const auto seen = [](const Vec3d& p) { return Point{view.x(p), view.y(p)}; };
   const double hue = std::fmod(205 + 137.508 * double(number), 360);
   Item item{dot(view.away, place({})), fixed ? "hsl(215 8%" : "hsl(" + std::to_string(int(hue)) + " 52%", {}, fixed};
-  if (b.shape().kind() != ShapeKind::hull) {
+  if (b.shape().kind() != ShapeKind::hull && b.shape().kind() != ShapeKind::mesh) {
     std::vector<Point> points;
     for (const Vec3d& p : surface(b.shape())) points.push_back(seen(place(p)));
     item.patches.push_back({outline_of(std::move(points)), 0.6});

@@ -45,7 +45,7 @@ std::size_t Bodies::mesh_of(const Shape& shape) {
     return k.shape.shared() == shape.shared() || k.shape == shape;
   });
   if (known != known_.end()) return known->mesh;
-  const bool hull = shape.kind() == ShapeKind::hull;
+  const bool hull = shape.kind() == ShapeKind::hull || shape.kind() == ShapeKind::mesh;
   known_.push_back({shape, hull ? instances_.add_mesh(hull_mesh(shape), plain_hull_mesh(shape))
                                 : instances_.add_mesh(smooth_mesh(shape, 6), smooth_mesh(shape, 3))});
   return known_.back().mesh;

@@ -37,6 +37,7 @@ std::vector<Round> cover(const Shape& shape, const Pose& pose, const Pos& origin
     case ShapeKind::half_space:
       return {};
     case ShapeKind::hull:
+    case ShapeKind::mesh:
       break;
     default:  // the corners of a box around it
       return corners_of_box(shape, pose, origin);

@@ -14,13 +14,13 @@ struct Geometry;  // src/geometry/geometry.h
 
 // Snapshots hold these numbers.
 enum class ShapeKind : std::uint8_t {
-  sphere, capsule, half_space, hull, cylinder, cone, ellipsoid, hollow_sphere, hollow_cylinder
+  sphere, capsule, half_space, hull, cylinder, cone, ellipsoid, hollow_sphere, hollow_cylinder, mesh
 };
 
-// Half spaces and hollows have no mass: for fixed bodies only.
+// Half spaces and hollows have no mass: for fixed bodies only. Neither have meshes: for fixed and kinematic ones.
 constexpr bool has_mass(ShapeKind k) { return k != ShapeKind::half_space && k < ShapeKind::hollow_sphere; }
 // What a hollow has inside is felt by spheres only.
-constexpr bool is_hollow(ShapeKind k) { return k >= ShapeKind::hollow_sphere; }
+constexpr bool is_hollow(ShapeKind k) { return k == ShapeKind::hollow_sphere || k == ShapeKind::hollow_cylinder; }
 
 // Volume [m³], centre of mass and the inertia tensor about it per unit density [m⁵], in the shape's frame.
 struct MassProperties {
@@ -40,10 +40,10 @@ class Shape {
   Real radius() const;       // 0 of a half space, a hull, an ellipsoid
   Real half_length() const;  // along y: half of a capsule's segment, half the height of a cylinder or cone; else 0
   Vec3 radii() const;        // of an ellipsoid; else 0
-  MassProperties mass_properties() const;  // refused for a half space or a hollow, which have none
+  MassProperties mass_properties() const;  // refused for a half space, a hollow or a mesh, which have none
   Real bounding_radius() const;            // about the shape's origin; infinite for a half space
 
-  // The surface of a hull: vertices, and faces as loops of vertex numbers, counter-clockwise seen from outside.
+  // The surface of a hull or mesh: vertices, and faces as loops of vertex numbers, counter-clockwise seen from outside.
   std::span<const Vec3> vertices() const;
   std::vector<std::vector<std::uint32_t>> faces() const;
 
@@ -66,6 +66,13 @@ Shape half_space();                       // everything below y = 0 of its frame
 // them, and only while their centre is inside; a world refuses a body that would meet one and is no sphere.
 Shape hollow_sphere(Real radius);
 Shape hollow_cylinder(Real radius, Real height);
+
+// A surface of triangles, three vertex numbers each, counter-clockwise seen from the side that is felt: from behind it is
+// nothing. Open or closed; for fixed and kinematic bodies, which meet everything that is convex. No inner edge is felt but
+// those that jut out. Throws Error naming what is wrong by its number: "vertices[3]" is not finite; "triangles[5]" names a
+// vertex that is not there, has no area, or runs along an edge in the same sense as another triangle, so that one of the
+// two is inverted or there twice. Vertices in one place are taken for one.
+Shape mesh(std::span<const Vec3> vertices, std::span<const std::uint32_t> triangles);
 
 // Convex polyhedra, centred on their centre of mass unless said otherwise. Axes and edges as named.
 Shape box(Vec3 edges);                                                      // full edges

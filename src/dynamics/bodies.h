@@ -6,6 +6,10 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
+// Whether a body that moves so may have such a shape: what has no mass does not fall.
+constexpr bool may_have(Motion motion, ShapeKind kind) {
+  return has_mass(kind) || motion == Motion::fixed || (motion == Motion::kinematic && kind == ShapeKind::mesh);
+}
 // The definitions of all its shapes, nothing left out.
 std::vector<ShapeDef> shapes_of(const BodyDef& def);
 // What its shapes weigh, with what the definition overrides, in the body's given frame; none: no shape has mass.

@@ -14,7 +14,9 @@ constexpr Real worth = Real(1e-4);
 // What turns farther in a sub-step on something flat, rad, stands on another point in its middle than at its beginning.
 constexpr Real most_turn = Real(1.3);
 
-bool flat_sided(const Geometry& g) { return g.kind == ShapeKind::hull || g.kind == ShapeKind::half_space; }
+bool flat_sided(const Geometry& g) {
+  return g.kind == ShapeKind::hull || g.kind == ShapeKind::half_space || g.kind == ShapeKind::mesh;
+}
 
 bool curves(const SubStep& s, const ManifoldRow& m) {
   if (s.set.one_point_contact || s.set.friction_per_increment) return false;
@@ -69,7 +71,7 @@ void measure(const SubStep& s, const ManifoldRow& m, ManifoldStart& start) {
                      length(spin_b) * length(arm(m.rb, m.points[0]));
   AxisCache no_cache;
   Manifold then;
-  collide_placed(*s.in.geometries[c.shape_a], then_a.shape, *s.in.geometries[c.shape_b], then_b.shape,
+  collide_placed(*s.in.geometries[c.shape_a], then_a.shape, *s.in.geometries[c.shape_b], then_b.shape, c.part,
                  s.slop() + s.h * reach, no_cache, then);
   if (then.count == 0 || !same_place(s, m, then.normal)) return;
   const Mat3 frame = matrix(m.frame), to_frame_then = transpose(shortest_turn(frame.c0, then.normal) * frame);

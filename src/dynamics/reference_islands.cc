@@ -32,6 +32,7 @@ void ReferenceIslands::gather(const StepView& in) {
       pair_in_view_.push_back(c);
       PairRow& row = pairs_.emplace_back();
       row.key = {in.contacts[c].shape_a, in.contacts[c].shape_b};
+      row.part = in.contacts[c].part;
       row.manifold = *in.contacts[c].manifold;
     }
   }

@@ -21,6 +21,7 @@ inline int substeps(const Config& c) {
 struct ActiveContact {
   std::uint32_t a, b;        // body slots
   std::uint32_t shape_a, shape_b;
+  std::uint32_t part;        // the triangle, where one is a mesh
   std::uint32_t slot;        // in Contacts
   const Manifold* manifold;  // points relative to the origin of a's shape, world axes
   Material material;

@@ -2,6 +2,8 @@
 
 #include "base/hash.h"
 
+#include "geometry/triangle_mesh.h"
+
 #include <sudar/solids.h>
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -30,6 +32,20 @@ void complete_hull(Geometry& g) {
   // −0 and 0 are the same place and must have the same hash.
   for (Vec3& v : g.hull.vertices) v += Vec3{};
   g.mass = complete(g.hull);
+  double farthest = 0;
+  for (const Vec3& v : g.hull.vertices) farthest = max(farthest, length(convert<double>(v)));
+  g.bounding_radius = at_least(farthest);
+}
+
+void complete_mesh(Geometry& g) {
+  for (Vec3& v : g.hull.vertices) v += Vec3{};
+  g.mesh = make_triangle_mesh(g.hull.vertices, g.hull.loops);
+  const std::size_t count = g.mesh->triangles.size();
+  g.hull.faces.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const TriangleMesh::Triangle& t = g.mesh->triangles[k];
+    g.hull.faces[k] = {t.normal, dot(t.normal, t.corners[0]), std::uint32_t(3 * k), 3};
+  }
   double farthest = 0;
   for (const Vec3& v : g.hull.vertices) farthest = max(farthest, length(convert<double>(v)));
   g.bounding_radius = at_least(farthest);
@@ -80,6 +96,9 @@ std::shared_ptr<const Geometry> make_geometry(Geometry&& plain) {
       break;
     case ShapeKind::ellipsoid:
       complete_ellipsoid(g);
+      break;
+    case ShapeKind::mesh:
+      complete_mesh(g);
       break;
     case ShapeKind::sphere:
     case ShapeKind::capsule:
@@ -148,6 +167,14 @@ Box bounds(const Geometry& g, const Pose& pose, Real margin) {
         low = min(low, v);
         high = max(high, v);
       }
+      break;
+    }
+    case ShapeKind::mesh: {
+      const Vec3 middle = (g.mesh->low + g.mesh->high) * Real(0.5), half = (g.mesh->high - g.mesh->low) * Real(0.5);
+      const Mat3 turn = matrix(pose.q);
+      const Vec3 reach = abs(turn.c0) * half.x + abs(turn.c1) * half.y + abs(turn.c2) * half.z;
+      low = turn * middle - reach;
+      high = turn * middle + reach;
       break;
     }
     case ShapeKind::sphere:

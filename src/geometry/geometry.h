@@ -7,12 +7,15 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
+struct TriangleMesh;  // triangle_mesh.h
+
 struct Geometry {
   ShapeKind kind = ShapeKind::sphere;
   Real radius = 0;           // sphere, capsule, cylinder, cone, hollows
   Real half_length = 0;      // capsule, cylinder, cone, hollow cylinder: the base of a cone is at −half_length/2
   Vec3 radii;                // ellipsoid
-  Polyhedron hull;           // hull
+  Polyhedron hull;           // hull; of a mesh its vertices and faces, each a triangle
+  std::shared_ptr<const TriangleMesh> mesh;
   MassProperties mass;       // per unit density, in the shape's frame
   Real bounding_radius = 0;  // about the origin
   std::uint64_t hash = 0;    // of kind, sizes, vertices and loops: equal content, equal hash

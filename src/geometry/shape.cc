@@ -26,7 +26,7 @@ Real Shape::bounding_radius() const { return geometry_->bounding_radius; }
 std::span<const Vec3> Shape::vertices() const { return geometry_->hull.vertices; }
 
 MassProperties Shape::mass_properties() const {
-  if (!has_mass(geometry_->kind)) throw Error("shape", "is a half space or a hollow, which have no mass");
+  if (!has_mass(geometry_->kind)) throw Error("shape", "is a half space, a hollow or a mesh, which have no mass");
   return geometry_->mass;
 }
 
@@ -60,6 +60,13 @@ Shape cone(Real radius, Real height) { return made(ShapeKind::cone, radius, heig
 Shape ellipsoid(Vec3 radii) { return made(ShapeKind::ellipsoid, 0, 0, radii); }
 Shape half_space() { return made(ShapeKind::half_space, 0); }
 Shape hollow_sphere(Real radius) { return made(ShapeKind::hollow_sphere, radius); }
+Shape mesh(std::span<const Vec3> vertices, std::span<const std::uint32_t> triangles) {
+  Geometry g;
+  g.kind = ShapeKind::mesh;
+  g.hull.vertices.assign(vertices.begin(), vertices.end());
+  g.hull.loops.assign(triangles.begin(), triangles.end());
+  return Shape(make_geometry(std::move(g)));
+}
 Shape hollow_cylinder(Real radius, Real height) { return made(ShapeKind::hollow_cylinder, radius, height / 2); }
 
 }

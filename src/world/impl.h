@@ -42,6 +42,12 @@ struct BodyPair {
   std::uint32_t a, b;  // slots
 };
 
+// A pair of several parts, and whether any touched before the sub-step changed that.
+struct TouchBefore {
+  std::uint32_t pair;
+  bool touching;
+};
+
 // From 1 to Handle::worlds − 1, each call the next.
 std::uint32_t new_world_number();
 
@@ -82,7 +88,8 @@ struct World::Impl {
   std::vector<PlaneProxy> planes;           // the half spaces, ascending
   std::vector<BodyPair> parted;             // that a new joint forbids to touch, since the last search for pairs
   std::unordered_map<std::string, std::vector<std::uint32_t>> named;  // bodies by name, ascending; only looked up
-  std::vector<std::uint32_t> hollows;       // shapes that are hollow, ascending
+  std::vector<std::uint32_t> hollows, meshes;  // shapes that are, ascending
+  std::vector<TouchBefore> touched_before;  // wholes of which parts began or ceased to touch in this sub-step
   PendingSet awake_bodies, moving_kinematic, awake_joints;
   Sleepers sleepers;
   HeldByFaces held_by_faces;
@@ -185,6 +192,7 @@ struct World::Impl {
   // Of bodies.
   std::vector<std::uint32_t> pairs_of(std::uint32_t body) const;  // by key
   void end_pair(std::uint32_t pair);                 // it goes, its contact too; its bodies wake if they touched
+  void note_touch(const ProxyPair&);                 // a part of it is about to begin or cease to touch
   bool forbidden(const BodyPair&) const;             // by a joint between the two
   void enlist(std::uint32_t body);                   // it moves: so its pairs and joints may change
   void enlist_joint(std::uint32_t joint);            // it has come

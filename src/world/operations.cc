@@ -63,6 +63,7 @@ void World::Impl::enter(std::uint32_t s) {
   if (s == proxies.size()) proxies.emplace_back(), shape_poses.emplace_back(), geometries.emplace_back(), way.push_back(0);
   geometries[s] = &geometry_of(s);
   if (is_hollow(geometries[s]->kind)) insert(hollows, s);
+  if (geometries[s]->kind == ShapeKind::mesh) insert(meshes, s);
   if (is_half_space(s)) planes.insert(std::ranges::lower_bound(planes, s, {}, &PlaneProxy::proxy), plane_of(*this, s));
   proxies[s] = {};
   touch_proxy(s, true);
@@ -71,10 +72,11 @@ void World::Impl::enter(std::uint32_t s) {
 void World::Impl::leave(std::uint32_t s) {
   std::vector<std::uint32_t> own;
   pairs.each(s, [&](std::uint32_t p) { own.push_back(p); });
-  std::ranges::sort(own, {}, [&](std::uint32_t p) { return pairs[p].key; });
+  std::ranges::sort(own, {}, [&](std::uint32_t p) { return pairs[p].order(); });
   for (const std::uint32_t p : own) end_pair(p);
   std::erase_if(planes, [&](const PlaneProxy& p) { return p.proxy == s; });
   std::erase(hollows, s);
+  std::erase(meshes, s);
   proxies[s] = {};
   changed.push_back(s);
 }
@@ -181,8 +183,8 @@ ShapeId World::Impl::perform(const AddShape& op) {
   validate("", op.def);
   const std::uint32_t i = op.body.index;
   const ShapeDef part = bodies.complete(i, op.def);
-  if (!has_mass(part.shape.kind()) && bodies.motion[i] != Motion::fixed) {
-    throw Error("shape", "has no mass, as a half space or a hollow: for fixed bodies only");
+  if (!may_have(bodies.motion[i], part.shape.kind())) {
+    throw Error("shape", "has no mass: a half space or a hollow is for fixed bodies only, a mesh for kinematic ones, too");
   }
   check_hollows(*this, part, bodies.motion[i], i, "shape");
   const std::optional<MassSum> sum = weigh(*this, i, &part, no_shape);

@@ -98,9 +98,10 @@ Load check_mass(const MassSum& sum, Motion motion, const MassFields& from, const
 }
 
 void check_body(const BodyDef& def, std::span<const ShapeDef> shapes, const Surroundings& around) {
-  const bool massive = std::ranges::all_of(shapes, [](const ShapeDef& part) { return has_mass(part.shape.kind()); });
-  if (!massive && def.motion != Motion::fixed) {
-    throw Error("motion", "must be fixed: a half space or a hollow has no mass");
+  for (const ShapeDef& part : shapes) {
+    if (may_have(def.motion, part.shape.kind())) continue;
+    throw Error("motion", part.shape.kind() == ShapeKind::mesh ? "must be fixed or kinematic: a mesh has no mass"
+                                                              : "must be fixed: a half space or a hollow has no mass");
   }
   if (def.motion == Motion::fixed && (def.velocity != Vec3{} || def.spin != Vec3{})) {
     throw Error(def.velocity != Vec3{} ? "velocity" : "spin", "must be zero: the body is fixed");
@@ -108,7 +109,7 @@ void check_body(const BodyDef& def, std::span<const ShapeDef> shapes, const Surr
   const std::optional<MassSum> sum = mass_of(def, shapes);
   if (!sum) {
     if (def.center || def.inertia) {
-      throw Error(def.center ? "center" : "inertia", "is given, but a half space or a hollow has none");
+      throw Error(def.center ? "center" : "inertia", "is given, but a half space, a hollow or a mesh has none");
     }
     return;
   }

@@ -1,6 +1,7 @@
 // Save, load, hash. A snapshot is a header, the world's number, the geometry, then the state in the order below; the hash
 // is of the state.
 #include "base/file_header.h"
+#include "geometry/triangle_mesh.h"
 #include "world/impl.h"
 #include "world/validate.h"
 
@@ -25,12 +26,12 @@ void read(Reader& r, std::uint32_t shapes, PairTable& pairs) {
   std::vector<PairRow> rows;
   r.array(rows);
   pairs.clear();
-  const ProxyPair* before = nullptr;
+  const PairRow* before = nullptr;
   for (const PairRow& row : rows) {
-    if (row.key.a >= row.key.b || row.key.b >= shapes || (before != nullptr && !(*before < row.key)))
+    if (row.key.a >= row.key.b || row.key.b >= shapes || (before != nullptr && !(before->order() < row.order())))
       throw Error("data", "holds a contact of shapes that it does not hold");
-    before = &row.key;
-    pairs[pairs.add(row.key)] = row;
+    before = &row;
+    pairs[pairs.add(row.key, row.part)] = row;
   }
 }
 
@@ -120,7 +121,7 @@ void check_shapes(const World::Impl& w) {
       if (!shapes.slots.used(s) || shapes.body[s] != i || listed[s]++ != 0) bad("holds a body of shapes that are not its own");
       ++count;
       if (shapes.geometry[s] >= w.geometry.size()) bad("names a geometry that it does not hold");
-      if (b.motion[i] != Motion::fixed && !has_mass(w.geometry_of(s).kind)) bad("holds a moving body without mass");
+      if (!may_have(b.motion[i], w.geometry_of(s).kind)) bad("holds a moving body without mass");
       const Transform& pose = shapes.pose[s];
       const bool finite = is_finite(pose.p) && is_finite(pose.q) && is_finite(shapes.center[s]);
       if (!finite || !is_finite(w.proxies[s].box.low) || !is_finite(w.proxies[s].box.high)) bad("holds a shape that is nowhere");
@@ -138,6 +139,28 @@ void check_pair_materials(const World::Impl& w) {
     validate("material", m.material);
     before = &m;
   }
+}
+
+// Parts are triangles of a mesh, and stand before their whole, which counts those that touch.
+void check_parts(const World::Impl& w) {
+  std::uint32_t touching = 0;
+  const PairRow* part = nullptr;
+  for (const std::uint32_t p : w.pairs.sorted()) {
+    const PairRow& row = w.pairs[p];
+    if (part != nullptr && !(part->key == row.key)) bad("holds a part of a contact that it does not hold");
+    const Geometry &a = w.geometry_of(row.key.a), &b = w.geometry_of(row.key.b);
+    const TriangleMesh* mesh = a.kind == ShapeKind::mesh ? a.mesh.get() : b.mesh.get();
+    if (row.part != no_part) {
+      const bool convex = has_mass(a.kind) || has_mass(b.kind);
+      if (mesh == nullptr || !convex || row.part >= mesh->triangles.size()) bad("holds a contact with a triangle that it does not hold");
+      touching += row.row != no_row ? 1 : 0;
+      part = &row;
+      continue;
+    }
+    if (row.touching != touching || (mesh != nullptr && row.row != no_row)) bad("holds a broken contact");
+    touching = 0, part = nullptr;
+  }
+  if (part != nullptr) bad("holds a part of a contact that it does not hold");
 }
 
 void check_pairs(const World::Impl& w) {
@@ -164,6 +187,7 @@ void World::Impl::check_state() const {
   check_shapes(*this);
   check_pair_materials(*this);
   check_pairs(*this);
+  check_parts(*this);
   for (std::uint32_t j = 0; j < joints.size(); ++j) {
     if (!joints.slots.used(j)) continue;
     for (const std::uint32_t body : {joints.a[j], joints.b[j]}) {

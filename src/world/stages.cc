@@ -7,6 +7,7 @@
 #include "base/timer.h"
 #include "dynamics/rest.h"
 #include "world/crowds.h"
+#include "world/triangles.h"
 #include "world/physical.h"
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -72,11 +73,13 @@ void end_pairs(World::Impl& w) {
     });
   }
   w.parted.clear();
-  std::ranges::sort(ended, {}, [&](std::uint32_t p) { return w.pairs[p].key; });
+  std::ranges::sort(ended, {}, [&](std::uint32_t p) { return w.pairs[p].order(); });
   ended.erase(std::unique(ended.begin(), ended.end()), ended.end());
+  bool touched = false;  // any part of the pair whose parts go first
   for (const std::uint32_t p : ended) {
     const PairRow& row = w.pairs[p];
-    if (row.row != no_row) w.events.ended.push_back(touch(w, row.key));
+    touched |= row.row != no_row;
+    if (row.part == no_part && std::exchange(touched, false)) w.events.ended.push_back(touch(w, row.key));
     w.end_pair(p);
   }
 }
@@ -98,7 +101,7 @@ void sort_once(std::vector<T>& list) {
 
 void find_pairs(World::Impl& w) {
   w.settle_boxes();
-  if (w.searched.empty()) return;
+  if (w.searched.empty()) return list_triangles(w);
   sort_once(w.searched);
   find_plane_pairs(w.planes, w.proxies, w.searched, w.found);
   sort_once(w.found);
@@ -116,6 +119,7 @@ void find_pairs(World::Impl& w) {
     if (can_change(w.bodies, w.bodies_of(key))) w.pairs.activate(pair);
   }
   end_pairs(w);
+  list_triangles(w);
   w.searched.clear(), w.found.clear();
 }
 
@@ -211,20 +215,35 @@ void link_contacts(World::Impl& w, std::vector<std::uint32_t>& touching_rows) {
     if (w.looked_at[r] == 0) continue;
     PairRow& row = w.pairs[r];
     const auto [a, c] = w.bodies_of(row.key);
+    const bool is_part = row.part != no_part;
+    if ((row.manifold.bits & (Manifold::began | Manifold::ended)) != 0 && is_part) w.note_touch(row.key);
     if ((row.manifold.bits & Manifold::began) != 0) {
       row.row = w.contacts.add();
-      w.events.begun.push_back(touch(w, row.key));
+      if (is_part) ++w.pairs[w.pairs.find(row.key)].touching;
+      else w.events.begun.push_back(touch(w, row.key));
     }
     if ((row.manifold.bits & Manifold::ended) != 0) {
       w.contacts.remove(row.row);
       row.row = no_row;
-      w.events.ended.push_back(touch(w, row.key));
+      if (is_part) --w.pairs[w.pairs.find(row.key)].touching;
+      else w.events.ended.push_back(touch(w, row.key));
     }
     if (!touching(row)) continue;
     if ((row.manifold.bits & Manifold::kept) == 0) note_place(w, row);
     touching_rows.push_back(r);
     if (b.dynamic(a) && b.dynamic(c)) w.unions.unite(a, c);
   }
+}
+
+// Of pairs of several parts: what began and ceased to touch as a whole.
+void link_wholes(World::Impl& w) {
+  std::ranges::sort(w.touched_before, {}, [&](const TouchBefore& t) { return w.pairs[t.pair].order(); });
+  for (const TouchBefore& t : w.touched_before) {
+    const PairRow& row = w.pairs[t.pair];
+    if ((row.touching > 0) == t.touching) continue;
+    (t.touching ? w.events.ended : w.events.begun).push_back(touch(w, row.key));
+  }
+  w.touched_before.clear();
 }
 
 // A body of the joint that is awake, or no_body.
@@ -268,7 +287,8 @@ void list_islands(World::Impl& w, std::span<const std::uint32_t> awake, std::spa
   for (const std::uint32_t r : w.touching) {
     const PairRow& row = w.pairs[r];
     const auto [one, two] = w.bodies_of(row.key);
-    w.active_contacts.push_back({one, two, row.key.a, row.key.b, row.row, &row.manifold, w.pair_material(row.key)});
+    w.active_contacts.push_back(
+        {one, two, row.key.a, row.key.b, row.part, row.row, &row.manifold, w.pair_material(row.key)});
   }
 }
 
@@ -298,6 +318,7 @@ void link(World::Impl& w) {
   });
   w.unions.reset(b.size(), awake);
   link_contacts(w, touching_rows);
+  link_wholes(w);
   link_joints(w, joints);
   w.joint_graph.settle(w.joints, b);
   list_islands(w, awake, touching_rows, joints);

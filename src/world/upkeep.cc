@@ -169,7 +169,7 @@ void World::Impl::wake_around(std::uint32_t i) {
 std::vector<std::uint32_t> World::Impl::pairs_of(std::uint32_t body) const {
   std::vector<std::uint32_t> own;
   bodies.each_shape(body, [&](std::uint32_t s) { pairs.each(s, [&](std::uint32_t p) { own.push_back(p); }); });
-  std::ranges::sort(own, {}, [&](std::uint32_t p) { return pairs[p].key; });
+  std::ranges::sort(own, {}, [&](std::uint32_t p) { return pairs[p].order(); });
   return own;
 }
 
@@ -177,9 +177,16 @@ void World::Impl::end_pair(std::uint32_t pair) {
   const PairRow row = pairs[pair];
   pairs.remove(pair);
   if (row.row == no_row) return;
+  if (row.part != no_part) --pairs[pairs.find(row.key)].touching;
   contacts.remove(row.row);
   wake_island(body_of(row.key.a));
   wake_island(body_of(row.key.b));
+}
+
+void World::Impl::note_touch(const ProxyPair& key) {
+  const std::uint32_t pair = pairs.find(key);
+  if (std::ranges::find(touched_before, pair, &TouchBefore::pair) != touched_before.end()) return;
+  touched_before.push_back({pair, pairs[pair].touching > 0});
 }
 
 void World::Impl::wake_all() {
@@ -202,7 +209,7 @@ bool World::Impl::forbidden(const BodyPair& key) const {
 void World::Impl::rebuild() {
   pool->resize(std::uint32_t(config.workers));
   h = clock_step / substeps();
-  planes.clear(), parted.clear(), named.clear(), hollows.clear(), pushed.clear();
+  planes.clear(), parted.clear(), named.clear(), hollows.clear(), meshes.clear(), pushed.clear();
   awake_bodies.clear(), moving_kinematic.clear(), awake_joints.clear(), sleepers.clear();
   changed.clear(), searched.clear(), found.clear();
   const Shapes& shapes = bodies.shapes;
@@ -217,6 +224,7 @@ void World::Impl::rebuild() {
     describe_proxy(s);
     shape_poses[s] = bodies.shape_pose(s), geometries[s] = &geometry_of(s);
     if (is_hollow(geometries[s]->kind)) hollows.push_back(s);
+    if (geometries[s]->kind == ShapeKind::mesh) meshes.push_back(s);
     if (is_half_space(s)) planes.push_back({s, rotate(shape_poses[s].q, Vec3{0, 1, 0}), shape_poses[s].p});
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> asleep;  // island, body

@@ -14,7 +14,7 @@ struct Placed {
 };
 
 // Points of a and b within reach of each other (overlap is negative), at most four. Never two half spaces. Where
-// there are none, returns a distance that a and b are apart at least, else 0.
+// there are none, returns a distance that a and b are apart at least, else 0. No meshes: mesh.h.
 Real collide(const Placed& a, const Placed& b, Reach, AxisCache& cache, Manifold& out);
 
 // The distance along the ray at which it enters the geometry, and the surface normal there; both in the geometry's
@@ -24,7 +24,7 @@ struct RayOnGeometry {
   Vec3 normal;
 };
 bool ray_cast(const Geometry&, const Vec3& from, const Vec3& direction, Real length, RayOnGeometry& out);
-// Whether a point, in the geometry's frame, is in it; the inside of a hollow is air.
+// Whether a point, in the geometry's frame, is in it; the inside of a hollow is air, and a mesh has none.
 bool contains(const Geometry&, const Vec3& point);
 
 }

@@ -10,6 +10,7 @@ Vec3d between(const Pos& from, const Pos& to) { return {to.x - from.x, to.y - fr
 void check(const char* name, const Shape& shape, const Pos& p, const Quat& q) {
   if (!shape) throw Error(name, "has no shape");
   if (is_hollow(shape.kind())) throw Error(name, "is a hollow, to which there is no distance");
+  if (shape.kind() == ShapeKind::mesh) throw Error(name, "is a mesh, to which there is no distance yet");
   if (!is_finite(p) || !is_finite(q) || !(length_squared(q) > 0)) throw Error(name, "has a pose that is not one");
 }
 

@@ -1,5 +1,7 @@
 #include "collision/narrow/pairs.h"
 
+#include "collision/narrow/mesh.h"
+
 namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
@@ -29,8 +31,16 @@ void match(const Manifold& old, Manifold& now) {
 
 // Both poses relative to that of a, except that a half space is taken at its foot, in double: far from its origin a
 // separation keeps its digits.
-Real collide_placed(const Geometry& ga, const Pose& a, const Geometry& gb, const Pose& b, Reach reach,
-                    AxisCache& cache, Manifold& out) {
+Real collide_placed(const Geometry& ga, const Pose& a, const Geometry& gb, const Pose& b, std::uint32_t part,
+                    Reach reach, AxisCache& cache, Manifold& out) {
+  if (ga.kind == ShapeKind::mesh) {
+    return collide_triangle({&ga, {{}, a.q}}, part, {&gb, {b.p - a.p, b.q}}, reach, cache, out);
+  }
+  if (gb.kind == ShapeKind::mesh) {
+    const Real apart = collide_triangle({&gb, {b.p - a.p, b.q}}, part, {&ga, {{}, a.q}}, reach, cache, out);
+    out.normal = -out.normal;
+    return apart;
+  }
   if (ga.kind == ShapeKind::half_space) {
     const Pose at = foot(a, b.p);
     const Real apart = collide({&ga, {{}, a.q}}, {&gb, {b.p - at.p, b.q}}, reach, cache, out);
@@ -43,16 +53,16 @@ Real collide_placed(const Geometry& ga, const Pose& a, const Geometry& gb, const
   }
 }
 
-std::uint32_t PairTable::find(const ProxyPair& key) const {
+std::uint32_t PairTable::find(const ProxyPair& key, std::uint32_t part) const {
   const std::uint32_t fewer = links_.count(key.a) < links_.count(key.b) ? key.a : key.b;
   std::uint32_t found = none;
   links_.each(fewer, [&](std::uint32_t p) {
-    if (rows_[p].key == key) found = p;
+    if (rows_[p].key == key && rows_[p].part == part) found = p;
   });
   return found;
 }
 
-std::uint32_t PairTable::add(const ProxyPair& key) {
+std::uint32_t PairTable::add(const ProxyPair& key, std::uint32_t part) {
   std::uint32_t pair = std::uint32_t(rows_.size());
   if (free_.empty()) {
     rows_.emplace_back(), watches_.emplace_back(), is_active_.push_back(0);
@@ -61,7 +71,7 @@ std::uint32_t PairTable::add(const ProxyPair& key) {
     free_.pop_back();
     rows_[pair] = PairRow{};
   }
-  rows_[pair].key = key;
+  rows_[pair].key = key, rows_[pair].part = part;
   watches_[pair] = {key.a, key.b};
   links_.add(pair, key.a, key.b);
   return pair;
@@ -148,7 +158,7 @@ bool goes_on(const ProxyPair& key, std::span<const Proxy> proxies, std::span<con
 
 Real collide_pair(PairRow& row, const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Reach reach) {
   const Manifold old = row.manifold;
-  const Real apart = collide_placed(of_a, a, of_b, b, reach, row.cache, row.manifold);
+  const Real apart = collide_placed(of_a, a, of_b, b, row.part, reach, row.cache, row.manifold);
   match(old, row.manifold);
   const bool touched = (old.bits & Manifold::touching) != 0, touches = row.manifold.count > 0;
   if (touches) row.manifold.bits |= Manifold::touching;

@@ -1,5 +1,6 @@
 // The pair table: one row for each pair of shapes whose fat boxes overlap. It keeps what a pair must remember from step
-// to step; whoever solves contacts hangs its own data on `row`.
+// to step; whoever solves contacts hangs its own data on `row`. A pair with a mesh has a row for each triangle near the
+// other shape, its parts, besides that of the whole, which is never collided.
 //
 // A row stays where it is as long as the pair lives, and hangs on both its proxies, so nothing ever looks through all
 // rows: pairs begin where the broad phase and find_plane_pairs found them, end where one of their proxies changed, and
@@ -8,6 +9,7 @@
 #pragma once
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/links.h"
 #include "collision/broad/broad.h"
@@ -16,18 +18,25 @@
 namespace sudar::inline SUDAR_PRECISION {
 
 constexpr std::uint32_t no_row = 0xffffffffu;
+constexpr std::uint32_t no_part = 0xffffffffu;  // the pair as a whole
 
 struct PairRow {
   ProxyPair key;
+  std::uint32_t part = no_part;    // the triangle
+  std::uint32_t touching = 0;    // parts of this whole that do
   AxisCache cache;
   std::uint32_t row = no_row;  // the owner's
   Manifold manifold;           // points relative to the position of proxy key.a, world axes; normal from b to a
+
+  // Rows in their order: by key, parts before their whole.
+  auto order() const { return std::tuple(key.a, key.b, part); }
 };
 template <class V, Like<PairRow> T>
 void describe(V& v, T& d) {
-  v("key", d.key, any), v("cache", d.cache, any), v("row", d.row, any), v("manifold", d.manifold, any);
+  v("key", d.key, any), v("part", d.part, any), v("touching", d.touching, any), v("cache", d.cache, any);
+  v("row", d.row, any), v("manifold", d.manifold, any);
 }
-static_assert(sizeof(PairRow) == sizeof(Manifold) + 24 && std::is_trivially_copyable_v<PairRow>, "no padding");
+static_assert(sizeof(PairRow) == sizeof(Manifold) + 32 && std::is_trivially_copyable_v<PairRow>, "no padding");
 
 // A half space among the proxies; its proxy is not `present` in the broad phase. Always fixed.
 struct PlaneProxy {
@@ -48,8 +57,8 @@ class PairTable {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
 
-  std::uint32_t find(const ProxyPair&) const;  // none: there is no such pair
-  std::uint32_t add(const ProxyPair&);         // there is none yet
+  std::uint32_t find(const ProxyPair&, std::uint32_t part = no_part) const;  // none: there is no such pair
+  std::uint32_t add(const ProxyPair&, std::uint32_t part = no_part);         // there is none yet
   // Its number is not used again before the next settle().
   void remove(std::uint32_t pair);
   void clear();
@@ -88,7 +97,7 @@ class PairTable {
 
  private:
   bool alive(std::uint32_t pair) const { return rows_[pair].key.a != none; }
-  bool before(std::uint32_t p, std::uint32_t q) const { return rows_[p].key < rows_[q].key; }
+  bool before(std::uint32_t p, std::uint32_t q) const { return rows_[p].order() < rows_[q].order(); }
   void merge();
 
   std::vector<PairRow> rows_;
@@ -112,10 +121,10 @@ void find_plane_pairs(std::span<const PlaneProxy> planes, std::span<const Proxy>
 // Whether the pair would begin now: the same tests as in the broad phase and find_plane_pairs.
 bool goes_on(const ProxyPair&, std::span<const Proxy> proxies, std::span<const PlaneProxy> planes);
 
-// Two bodies' shapes where they are: points relative to a's position, world axes.
+// Two bodies' shapes where they are, or a triangle (`part`) of one and the other: points relative to a's position, world axes.
 // Returns how far they are apart at least, where they have no point in common, else 0.
-Real collide_placed(const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, Reach,
-                    AxisCache& cache, Manifold& out);
+Real collide_placed(const Geometry& of_a, const Pose& a, const Geometry& of_b, const Pose& b, std::uint32_t part,
+                    Reach, AxisCache& cache, Manifold& out);
 
 // Collides one row: manifold, matches, bits. Returns how far the shapes are apart at least, if they do not touch and did
 // not before, else −1.

@@ -1,4 +1,5 @@
 #include "collision/narrow/collide.h"
+#include "geometry/triangle_mesh.h"
 
 namespace sudar::inline SUDAR_PRECISION {
 namespace {
@@ -170,6 +171,12 @@ bool ray_cast(const Geometry& g, const Vec3& from, const Vec3& direction, Real l
     case ShapeKind::hollow_sphere:
     case ShapeKind::hollow_cylinder:
       return hollow(g, from, direction, out) && out.distance <= length;
+    case ShapeKind::mesh: {
+      std::uint32_t triangle = 0;
+      if (!g.mesh->ray_cast(from, direction, length, triangle, out.distance)) return false;
+      out.normal = g.mesh->triangles[triangle].normal;
+      return true;
+    }
   }
   return false;
 }
@@ -178,7 +185,7 @@ bool ray_cast(const Geometry& g, const Vec3& from, const Vec3& direction, Real l
 // A convex body is entered before the point and left after it, by a line in any direction.
 bool contains(const Geometry& g, const Vec3& point) {
   if (g.kind == ShapeKind::half_space) return point.y <= 0;
-  if (is_hollow(g.kind) || !(length(point) <= g.bounding_radius)) return false;
+  if (is_hollow(g.kind) || g.kind == ShapeKind::mesh || !(length(point) <= g.bounding_radius)) return false;
   const Vec3 along{0, 1, 0};
   const Real far = 3 * g.bounding_radius;
   RayOnGeometry in, out;
