@@ -72,7 +72,7 @@ Shape hollow_cylinder(Real radius, Real height);
 // those that jut out. Throws Error naming what is wrong by its number: "vertices[3]" is not finite; "triangles[5]" names a
 // vertex that is not there, has no area, or runs along an edge in the same sense as another triangle, so that one of the
 // two is inverted or there twice. Vertices in one place are taken for one.
-Shape mesh(std::span<const Vec3> vertices, std::span<const std::uint32_t> triangles);
+Shape mesh(std::span<const Vec3> vertices, std::span<const std::uint32_t> triangles);  // a surface of triangles, for fixed and kinematic bodies
 
 // Convex polyhedra, centred on their centre of mass unless said otherwise. Axes and edges as named.
 Shape box(Vec3 edges);                                                      // full edges

@@ -7,8 +7,9 @@ namespace {
 
 using namespace py::literals;
 constexpr const char* kinds[] = {"sphere", "capsule",   "half_space",    "hull",           "cylinder",
-                                 "cone",   "ellipsoid", "hollow_sphere", "hollow_cylinder"};
-static_assert(std::size(kinds) == std::size_t(ShapeKind::hollow_cylinder) + 1);
+                                 "cone",   "ellipsoid", "hollow_sphere", "hollow_cylinder",
+                                 "mesh"};
+static_assert(std::size(kinds) == std::size_t(ShapeKind::mesh) + 1);
 
 // Arguments by their names in shape.h, text from the comment beside it.
 template <class F, class... Arguments>
@@ -40,9 +41,9 @@ void bind_shapes(py::module_& m) {
             for (std::size_t i = 0; i < points.size(); ++i) write_numbers(points[i], array.mutable_data() + 3 * i);
             return array;
           },
-          "of a hull: (n, 3), m")
+          "of a hull or mesh: (n, 3), m")
       .def_property_readonly("faces", &Shape::faces,
-                             "of a hull: lists of numbers of vertices, counter-clockwise seen from outside")
+                             "of a hull or mesh: lists of numbers of vertices, counter-clockwise seen from outside")
       .def("__bool__", [](const Shape& s) { return bool(s); })
       .def(
           "__eq__", [](const Shape& a, const Shape& b) { return a == b; }, py::is_operator())
@@ -69,6 +70,17 @@ void bind_shapes(py::module_& m) {
   shape(m, "wedge", &wedge, "edges"_a);
   shape(
       m, "hull", [](const std::vector<Vec3>& points) { return hull(points); }, "points"_a);
+  shape(
+      m, "mesh",
+      [](const std::vector<Vec3>& vertices, const std::vector<std::vector<std::uint32_t>>& triangles) {
+        std::vector<std::uint32_t> corners;
+        for (std::size_t k = 0; k < triangles.size(); ++k) {
+          if (triangles[k].size() != 3) throw Error("triangles[" + std::to_string(k) + "]", "must name three vertices");
+          corners.insert(corners.end(), triangles[k].begin(), triangles[k].end());
+        }
+        return mesh(vertices, corners);
+      },
+      "vertices"_a, "triangles"_a);
   shape(
       m, "extrude", [](const std::vector<Vec3>& outline, Real height) { return prism(outline, height); }, "outline"_a,
       "height"_a);
