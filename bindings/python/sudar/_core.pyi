@@ -38,10 +38,10 @@ class Shape:
     def mass_properties(self) -> MassProperties: ...
     @property
     def vertices(self) -> Array:
-        """of a hull: (n, 3), m"""
+        """of a hull or mesh: (n, 3), m"""
     @property
     def faces(self) -> List[List[int]]:
-        """of a hull: lists of numbers of vertices, counter-clockwise seen from outside"""
+        """of a hull or mesh: lists of numbers of vertices, counter-clockwise seen from outside"""
     def __bool__(self) -> bool: ...
     def __eq__(self, __other: object) -> bool: ...
     def __repr__(self) -> str: ...
@@ -101,6 +101,9 @@ def wedge(edges: Numbers) -> Shape:
 
 def hull(points: List[Numbers]) -> Shape:
     """their convex hull, where they are"""
+
+def mesh(vertices: List[Numbers], triangles: List[List[int]]) -> Shape:
+    """a surface of triangles, for fixed and kinematic bodies"""
 
 def extrude(outline: List[Numbers], height: float) -> Shape:
     """convex outline in the xy plane (z ignored), extruded along z; kept where it is in x and y"""
@@ -298,12 +301,46 @@ class Filter:
         group: int = ...,) -> Filter:
         """A copy with other values in the named fields."""
 
-class BodyDef:
+class ShapeDef:
+    """One of the shapes of a body that has several. What it leaves out is the body's."""
     shape: Shape
     at: Array
-    """of the shape's frame, m"""
+    """of the shape's frame, in the body's, m"""
     turn: Array
-    """of the shape's frame"""
+    """of the shape's frame, against the body's"""
+    density: Optional[float]
+    """kg/m³; parts of a body whose mass is given share it by volume times this"""
+    material: Optional[Material]
+    surface_velocity: Optional[Array]
+    """m/s, shape's axes"""
+    filter: Optional[Filter]
+    def __init__(self, *,
+        shape: Shape = ...,
+        at: Numbers = ...,
+        turn: Numbers = ...,
+        density: Optional[float] = ...,
+        material: Optional[Union[Material, Dict[str, Any]]] = ...,
+        surface_velocity: Optional[Numbers] = ...,
+        filter: Optional[Union[Filter, Dict[str, Any]]] = ...,) -> None: ...
+    def replace(self, *,
+        shape: Shape = ...,
+        at: Numbers = ...,
+        turn: Numbers = ...,
+        density: Optional[float] = ...,
+        material: Optional[Union[Material, Dict[str, Any]]] = ...,
+        surface_velocity: Optional[Numbers] = ...,
+        filter: Optional[Union[Filter, Dict[str, Any]]] = ...,) -> ShapeDef:
+        """A copy with other values in the named fields."""
+
+class BodyDef:
+    """A body's frame is that of its shape; where it has several, each lies in the body's frame. Its mass, centre and inertia are the sums over its shapes, as if they did not overlap."""
+    shape: Shape
+    shapes: Sequence[ShapeDef]
+    """of a body that has several, instead of `shape`"""
+    at: Array
+    """of the body's frame, m"""
+    turn: Array
+    """of the body's frame"""
     velocity: Array
     """of the centre of mass, m/s"""
     spin: Array
@@ -313,12 +350,12 @@ class BodyDef:
     mass: float
     """kg; 0: from density"""
     center: Optional[Array]
-    """of mass, in the shape's frame, m; none: the shape's own"""
+    """of mass, in the body's frame, m; none: the shapes'"""
     inertia: Optional[Array]
-    """about the centre of mass, shape's axes, kg m²; none: the shape's own"""
+    """about the centre of mass, body's axes, kg m²; none: the shapes'"""
     material: Material
     surface_velocity: Array
-    """of the surface along itself while the body stands, like a belt's; m/s, shape's axes"""
+    """of the surface along itself while the body stands, like a belt's; m/s, body's axes"""
     filter: Filter
     motion: Literal["dynamic", "kinematic", "fixed"]
     sleeps: bool
@@ -326,6 +363,7 @@ class BodyDef:
     name: str
     def __init__(self, *,
         shape: Shape = ...,
+        shapes: Sequence[Union[ShapeDef, Dict[str, Any]]] = ...,
         at: Numbers = ...,
         turn: Numbers = ...,
         velocity: Numbers = ...,
@@ -342,6 +380,7 @@ class BodyDef:
         name: str = ...,) -> None: ...
     def replace(self, *,
         shape: Shape = ...,
+        shapes: Sequence[Union[ShapeDef, Dict[str, Any]]] = ...,
         at: Numbers = ...,
         turn: Numbers = ...,
         velocity: Numbers = ...,
@@ -894,6 +933,7 @@ class World:
     @overload
     def add(self, *,
         shape: Shape = ...,
+        shapes: Sequence[Union[ShapeDef, Dict[str, Any]]] = ...,
         at: Numbers = ...,
         turn: Numbers = ...,
         velocity: Numbers = ...,
