@@ -38,6 +38,10 @@ void complete_hull(Geometry& g) {
 }
 
 void complete_mesh(Geometry& g) {
+  for (std::uint32_t k = 0; k < g.hull.faces.size(); ++k) {
+    const Polyhedron::Face& f = g.hull.faces[k];
+    if (f.first != 3 * k || f.count != 3) throw Error("faces", "of a mesh must be triangles, one after the other");
+  }
   for (Vec3& v : g.hull.vertices) v += Vec3{};
   g.mesh = make_triangle_mesh(g.hull.vertices, g.hull.loops);
   const std::size_t count = g.mesh->triangles.size();

@@ -246,8 +246,9 @@ TEST(MakeGeometry, RefusesBrokenData) {
     for (Vec3& v : g.hull.vertices) v.x = -v.x;
   }));  // inside out
   EXPECT_TRUE(refused([](Geometry& g) { g.hull.vertices.clear(); }));
-  EXPECT_TRUE(refused([](Geometry& g) { g.kind = ShapeKind(9); }));
+  EXPECT_TRUE(refused([](Geometry& g) { g.kind = ShapeKind(int(ShapeKind::mesh) + 1); }));
   EXPECT_TRUE(refused([](Geometry& g) { g.kind = ShapeKind::sphere; }));  // radius 0
+  EXPECT_TRUE(refused([](Geometry& g) { g.kind = ShapeKind::mesh; }));    // faces of four corners
 }
 
 TEST(Bounds, AreTheSmallestBox) {
