@@ -8,7 +8,6 @@ namespace sudar::history {
 namespace {
 
 constexpr std::size_t most_branches = 12;
-constexpr std::size_t most_deeds = 100'000;
 constexpr std::int64_t far = 1024, near = 64;  // frames from the present: what lies nearer is worth more
 
 }
@@ -139,7 +138,7 @@ void History::keep(const Course& c, std::int64_t frame, const Run& run) {
   if (owns.keyframes.contains(frame)) return;
   owns.keyframes[frame] = run.save();
   kept_ += bytes_of(owns.keyframes[frame]);
-  if (kept_ > most_bytes_) thin();
+  if (kept_ > most_.bytes) thin();
 }
 
 // An eighth goes: those whose loss makes the shortest gaps, far ones before near ones; never two neighbours at once,
@@ -172,7 +171,7 @@ void History::thin() {
     return a.worth != b.worth ? a.worth < b.worth : a.place < b.place;
   });
   for (const Candidate& k : all) {
-    if (kept_ <= most_bytes_ - most_bytes_ / 8) return;
+    if (kept_ <= most_.bytes - most_.bytes / 8) return;
     if (gone[k.place + 1] || (k.place > 0 && gone[k.place - 1])) continue;
     gone[k.place] = true;
     const auto at = k.course->keyframes.find(k.frame);
@@ -192,7 +191,7 @@ std::pair<std::int64_t, const Run::Saved*> History::keyframe(const Course& c, st
 void History::forget_beginning() {
   std::size_t deeds = 0;
   for (const auto& c : courses_) deeds += c->count_deeds();
-  if (deeds <= most_deeds) return;
+  if (deeds <= most_.deeds) return;
   const auto [first, saved] = keyframe(course(branch_), begin() + (frame_ - begin()) / 4);
   if (first <= begin()) return;
   Course& c = course(owner(course(branch_), first).number);

@@ -23,7 +23,7 @@ bool is(const Deed& d) {
 
 }
 
-History::History(std::unique_ptr<Run> start, std::size_t most_bytes) : most_bytes_(most_bytes), run_(std::move(start)) {
+History::History(std::unique_ptr<Run> start, const Limits& most) : most_(most), run_(std::move(start)) {
   for (const char* energy : {"total energy", "kinetic energy", "potential energy"}) watch(of_world(energy));
   begin_alone("main");
 }

@@ -45,9 +45,14 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
+struct Limits {
+  std::size_t bytes = std::size_t(256) << 20;  // of keyframes
+  std::size_t deeds = 100'000;
+};
+
 class History {
  public:
-  explicit History(std::unique_ptr<Run> start, std::size_t most_bytes = std::size_t(256) << 20);
+  explicit History(std::unique_ptr<Run> start, const Limits& = {});
   ~History();
 
   Run& run() { return *run_; }  // not to be changed but through deeds: what is not kept is lost
@@ -133,7 +138,7 @@ class History {
   bool on_the_way(const Place& at, const Place& goal) const;
   bool approach(std::unique_ptr<Run>&, Place& at, const Place& goal, Clock::time_point deadline, bool keeps);
 
-  std::size_t most_bytes_;
+  Limits most_;
   std::vector<std::unique_ptr<Course>> courses_;
   int numbers_ = 0;
   std::unique_ptr<Run> run_;

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <random>
 
 #include "main/plugins.h"
@@ -37,9 +39,14 @@ struct Playground : Scenario {
     if (in.held("up") && w.alive(first)) w.push(first, {0, 30, 0}, w[first].center());
   }
 };
-const ScenarioEntry playground{
-    abi_of_this_file(), "playground", "Tests/Playground", "", Playground::seconds, 1,
-    []() -> Scenario* { return new Playground; }, [](Scenario* s) { delete s; }};
+const ScenarioEntry playground{abi_of_this_file(),
+                               "playground",
+                               "Tests/Playground",
+                               "",
+                               Playground::seconds,
+                               1,
+                               []() -> Scenario* { return new Playground; },
+                               [](Scenario* s) { delete s; }};
 
 std::unique_ptr<Run> start_of(const ScenarioEntry& entry, const Settings& settings = {}) {
   return std::make_unique<Run>(entry, settings);
@@ -244,9 +251,7 @@ TEST(History, UndoAndRedo) {
     ASSERT_TRUE(place && place->frame == frame) << frame;
     h.go(*place);
     undone.push_back(state(h));
-    if (frame != 76) {
-      EXPECT_EQ(state(h), hashes[std::size_t(frame)]);
-    }
+    if (frame != 76) { EXPECT_EQ(state(h), hashes[std::size_t(frame)]); }
   }
   EXPECT_FALSE(h.undone());
   for (std::size_t i = std::size(frames) - 1; i-- > 0;) {
@@ -259,7 +264,8 @@ TEST(History, UndoAndRedo) {
   const Body first = start()->world().bodies()[1];
   const auto there = [&] {
     const std::vector<Body> all = h.run().world().bodies();
-    return std::any_of(all.begin(), all.end(), [&](const Body& b) { return b.index == first.index && b.generation == first.generation; });
+    return std::any_of(all.begin(), all.end(),
+                       [&](const Body& b) { return b.index == first.index && b.generation == first.generation; });
   };
   EXPECT_FALSE(there());
   h.go(*h.undone());  // the removal
@@ -329,7 +335,7 @@ TEST(History, AnErrorChangesNothing) {
 
 TEST(History, MemoryIsBounded) {
   constexpr std::size_t most = 3'000'000;
-  History h(start(), most);
+  History h(start(), {.bytes = most});
   const int main = h.here().branch;
   std::vector<std::uint64_t> hashes;
   for (int i = 0; i < 3000; ++i) {
@@ -342,6 +348,84 @@ TEST(History, MemoryIsBounded) {
     EXPECT_EQ(state(h), hashes[std::size_t(frame)]) << frame;
   }
   EXPECT_LT(h.bytes(), 2 * most);
+}
+
+// Hours of dragging: the beginning goes, and what goes out from there; the rest is as it was.
+TEST(History, ForgetsTheBeginningOfTooManyDeeds) {
+  History h(start(), {.deeds = 60});
+  std::vector<std::uint64_t> hashes;
+  for (int i = 0; i < 400; ++i) {
+    hashes.push_back(state(h));
+    if (i % 2 == 0) h.perform(Shoot{{{-20, 3 + 0.1 * (i % 9), 40.0 * i}, {1, 0, 0}, {1, 0, 0}}, 1});
+    h.step();
+    if (i == 20 || i == 300) {  // a branch from early on, and one from later
+      const int here = h.here().branch;
+      const std::int64_t frame = h.here().frame;
+      h.go({here, frame - 8});
+      h.perform(Shoot{from_the_side, 2});
+      h.step();
+      ASSERT_TRUE(h.go({here, frame}));
+    }
+  }
+  EXPECT_GT(h.begin(), 100);
+  const int here = h.here().branch;
+  for (std::int64_t frame = 399; frame >= h.begin(); frame -= 7) {
+    h.go({here, frame, 0});
+    ASSERT_EQ(state(h), hashes[std::size_t(frame)]) << frame;
+  }
+  h.go({here, 0});
+  EXPECT_EQ(h.here().frame, h.begin());
+  const auto curve = h.curve(here, 1);
+  ASSERT_FALSE(curve.empty());
+  EXPECT_EQ(curve.front().frame, h.begin());
+  for (const auto& b : h.branches()) {
+    EXPECT_GE(b.from, h.begin());
+    EXPECT_TRUE(h.go({b.number, b.end}));
+  }
+}
+
+// Whatever is done in whatever order: a place that was seen before looks as it did.
+TEST(History, TheSamePlaceIsAlwaysTheSame) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    std::mt19937 random(seed);
+    const auto one_of = [&](std::size_t n) { return std::size_t(random() % n); };
+    History h(start(), {.bytes = 400'000});
+    std::map<std::array<std::int64_t, 3>, std::uint64_t> seen;
+    for (int i = 0; i < 400; ++i) {
+      const std::vector<History::Branch> all = h.branches();
+      const History::Branch& b = all[one_of(all.size())];
+      switch (one_of(9)) {
+        case 0:
+          h.perform(Shoot{from_the_side, 1 + double(one_of(4))});
+          break;
+        case 1:
+          h.perform(one_of(2) == 0 ? Deed(Hold{{"up"}, {0, 0, -1}}) : Deed(Hold{{}, {0, 0, -1}}));
+          break;
+        case 2: {
+          const std::vector<Body> bodies = h.run().world().bodies();
+          h.perform(one_of(2) == 0 ? Deed(Grab{bodies[one_of(bodies.size())], down_on_first}) : Deed(Release{}));
+          break;
+        }
+        case 3:
+          h.go({b.number, b.from + std::int64_t(one_of(std::size_t(b.end - b.from) + 1))});
+          break;
+        case 4:
+          if (const auto place = one_of(2) == 0 ? h.undone() : h.redone()) h.go(*place);
+          break;
+        case 5:
+          if (one_of(8) == 0) h.restart(h.run().settings());
+          if (one_of(4) == 0 && b.number != h.here().branch) h.remove(b.number);
+          h.ghost(h.branches()[one_of(h.branches().size())].number, Clock::time_point::max());
+          break;
+        default:
+          for (std::size_t n = one_of(12); n-- > 0;) h.step();
+      }
+      const Place here = h.here();
+      const auto [known, fresh] = seen.try_emplace({here.branch, here.frame, std::int64_t(here.deeds)}, state(h));
+      ASSERT_EQ(known->second, state(h)) << "seed " << seed << ", action " << i;
+    }
+    while (h.fill(Clock::time_point::max())) {}
+  }
 }
 
 TEST(History, AWayBackCanBeInterrupted) {
