@@ -133,6 +133,25 @@ class Worlds(unittest.TestCase):
         world.step()
         self.assertAlmostEqual(ball.velocity[0], 2, places=4)
 
+    def test_a_body_of_several_shapes(self):
+        world = sudar.World()
+        parts = [{"shape": sudar.sphere(0.5), "at": (1, 0, 0)}, sudar.ShapeDef(shape=sudar.box((1, 1, 1)), at=(-1, 0, 0), density=500)]
+        dumbbell = world.add(shapes=parts, at=(0, 2, 0))
+        ball, cube = dumbbell.shapes
+        self.assertEqual((ball.shape.kind, cube.shape, cube.density), ("sphere", sudar.box((1, 1, 1)), 500))
+        self.assertAlmostEqual(dumbbell.mass, 1000 * math.pi / 6 + 500, delta=0.1)
+        np.testing.assert_allclose(cube.position, [-1, 2, 0], atol=1e-6)
+        np.testing.assert_allclose(cube.at, [-1, 0, 0], atol=1e-6)
+        self.assertEqual(ball.body, dumbbell)
+        self.assertEqual(world.ray_cast((1, 10, 0), (0, -1, 0)).shape, ball)
+        third = dumbbell.add_shape(shape=sudar.sphere(0.25), at=(0, 1, 0), material={"restitution": 0.5})
+        self.assertEqual((third.material.restitution, dumbbell.shapes), (0.5, [ball, cube, third]))
+        third.remove()
+        self.assertFalse(third.alive)
+        with self.assertRaises(sudar.Error) as caught:
+            world.add(shapes=[{"shape": sudar.sphere(1), "material": {"restitution": "much"}}])
+        self.assertEqual(caught.exception.field, "shapes[0].material.restitution")
+
     def test_joints(self):
         world = sudar.World()
         world.add(sudar.Gravity())

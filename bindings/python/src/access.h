@@ -118,6 +118,7 @@ struct Bound {
 };
 using BoundBody = Bound<BodyTag>;
 using BoundJoint = Bound<JointTag>;
+using BoundShape = Bound<ShapeTag>;
 using BoundForce = Bound<ForceTag>;
 using BoundSensor = Bound<SensorTag>;
 

@@ -79,6 +79,15 @@ void bind_body(py::module_& m) {
   c.def_property_readonly("shape", [=](const B& b) { return Shape(view(b).shape()); });
   c.def_property_readonly(
       "material", [=](const B& b) { return Material(view(b).material()); }, "a copy");
+  c.def_property_readonly(
+      "shapes", [=](const B& b) -> As<"List[ShapeId]"> { return bound(view(b).shapes(), b.world); },
+      "all, in the order in which it got them; `shape` and `material` are those of the first");
+  c.def(
+      "add_shape", [](const B& b, const py::kwargs& fields) -> As<"ShapeId"> {
+        return bound(b.get().add(b.handle, from_keywords<ShapeDef>(fields)), b.world);
+      },
+      "One more, given by the fields of ShapeDef by name. Mass and inertia are made anew; the body goes on as it "
+      "went.");
   c.def_property_readonly("name", [=](const B& b) { return view(b).name(); });
   c.def_property_readonly(
       "motion", [=](const B& b) { return view(b).motion(); }, "\"dynamic\", \"kinematic\" or \"fixed\"");
@@ -107,6 +116,33 @@ void bind_body(py::module_& m) {
         return result<"Distance">(d.value, d.normal, d.on_a, d.on_b);
       },
       "other"_a, "To the other body's shape, touching or not.");
+}
+
+void bind_shape(py::module_& m) {
+  using B = BoundShape;
+  const auto view = [](const B& b) { return b.get()[b.handle]; };
+  auto c = common<ShapeTag>(m, "ShapeId");
+  c.def_property_readonly(
+      "alive", [](const B& b) { return b.get().alive(b.handle); }, "false once it was removed");
+  c.def_property_readonly(
+      "body", [=](const B& b) -> As<"Body"> { return bound(view(b).body(), b.world); });
+  c.def_property_readonly("shape", [=](const B& b) { return Shape(view(b).shape()); });
+  c.def_property_readonly(
+      "position", [=](const B& b) { return view(b).pose().p; }, "of its frame, m");
+  c.def_property_readonly(
+      "orientation", [=](const B& b) { return view(b).pose().q; }, "of its frame: unit quaternion x, y, z, w");
+  c.def_property_readonly(
+      "at", [=](const B& b) { return view(b).at().p; }, "of its frame, in the body's, m");
+  c.def_property_readonly(
+      "turn", [=](const B& b) { return view(b).at().q; }, "of its frame, against the body's");
+  c.def_property_readonly(
+      "density", [=](const B& b) { return view(b).density(); }, "kg/m³");
+  c.def_property_readonly(
+      "material", [=](const B& b) { return Material(view(b).material()); }, "a copy");
+  c.def_property_readonly(
+      "filter", [=](const B& b) { return Filter(view(b).filter()); }, "a copy");
+  c.def_property_readonly(
+      "surface_velocity", [=](const B& b) { return view(b).surface_velocity(); }, "m/s, shape's axes");
 }
 
 void bind_joint(py::module_& m) {
@@ -160,6 +196,7 @@ void bind_joint(py::module_& m) {
 
 void declare_handles(py::module_& m) {
   declare<BodyTag>(m, "Body", "A body of a world. Its attributes ask the world; those that may be set change it.");
+  declare<ShapeTag>(m, "ShapeId", "One of the shapes of a body. A body keeps at least one.");
   declare<JointTag>(m, "Joint", "A joint of a world.");
   declare<ForceTag>(m, "ForceId", "A force that acts in a world until it is removed.");
   declare<SensorTag>(m, "SensorId", "A sensor of a world.");
@@ -167,6 +204,7 @@ void declare_handles(py::module_& m) {
 
 void bind_handles(py::module_& m) {
   bind_body(m);
+  bind_shape(m);
   bind_joint(m);
   common<ForceTag>(m, "ForceId")
       .def_property_readonly(

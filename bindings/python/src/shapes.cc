@@ -6,9 +6,8 @@ namespace sudar::python {
 namespace {
 
 using namespace py::literals;
-constexpr const char* kinds[] = {"sphere", "capsule",   "half_space",    "hull",           "cylinder",
-                                 "cone",   "ellipsoid", "hollow_sphere", "hollow_cylinder",
-                                 "mesh"};
+constexpr const char* kinds[] = {"sphere",    "capsule",       "half_space",      "hull", "cylinder", "cone",
+                                 "ellipsoid", "hollow_sphere", "hollow_cylinder", "mesh"};
 static_assert(std::size(kinds) == std::size_t(ShapeKind::mesh) + 1);
 
 // Arguments by their names in shape.h, text from the comment beside it.

@@ -15,7 +15,8 @@ using namespace py::literals;
 As<"Events"> events_of(const Events& e, const WorldPointer& w) {
   const auto touches = [&](const std::vector<Events::Touch>& list) {
     py::list out;
-    for (const auto& t : list) out.append(result<"Touch">(bound(t.a, w), bound(t.b, w)));
+    for (const auto& t : list)
+      out.append(result<"Touch">(bound(t.a, w), bound(t.b, w), bound(t.shape_a, w), bound(t.shape_b, w)));
     return out;
   };
   py::list hits, quarantined;
@@ -31,11 +32,11 @@ py::object contact_of(const Contact& c, const WorldPointer& w) {
     points.append(result<"ContactPoint">(p.at, p.separation, p.normal_impulse, p.friction, p.cone_share));
   }
   return result<"Contact">(bound(c.a, w), bound(c.b, w), c.normal, points, c.friction_static, c.friction_dynamic,
-                           c.restitution, c.slipping);
+                           c.restitution, c.slipping, bound(c.shape_a, w), bound(c.shape_b, w));
 }
 
 py::object hit_of(const RayHit& h, const WorldPointer& w) {
-  return result<"RayHit">(bound(h.body, w), h.at, h.normal, h.distance);
+  return result<"RayHit">(bound(h.body, w), h.at, h.normal, h.distance, bound(h.shape, w));
 }
 
 py::dict profile_of(const Profile& p) {
@@ -44,7 +45,7 @@ py::dict profile_of(const Profile& p) {
   return py::dict("stages"_a = stages, "contacts"_a = p.contacts, "points"_a = p.points, "awake"_a = p.awake);
 }
 
-using Anything = std::variant<BoundBody, BoundJoint, BoundForce, BoundSensor>;
+using Anything = std::variant<BoundBody, BoundShape, BoundJoint, BoundForce, BoundSensor>;
 
 py::object ray_cast(const WorldPointer& w, const Pos& from, const Vec3& direction, Real length,
                     const std::optional<OrFields<Filter>>& filter, bool from_inside, bool all) {

@@ -167,6 +167,18 @@ class Body:
     def material(self) -> Material:
         """a copy"""
     @property
+    def shapes(self) -> List[ShapeId]:
+        """all, in the order in which it got them; `shape` and `material` are those of the first"""
+    def add_shape(self, *,
+        shape: Shape = ...,
+        at: Numbers = ...,
+        turn: Numbers = ...,
+        density: Optional[float] = ...,
+        material: Optional[Union[Material, Dict[str, Any]]] = ...,
+        surface_velocity: Optional[Numbers] = ...,
+        filter: Optional[Union[Filter, Dict[str, Any]]] = ...,) -> ShapeId:
+        """One more, given by the fields of ShapeDef by name. Mass and inertia are made anew; the body goes on as it went."""
+    @property
     def name(self) -> str: ...
     @property
     def motion(self) -> str:
@@ -186,6 +198,48 @@ class Body:
     def touches(self, other: Body) -> bool: ...
     def distance(self, other: Body) -> Distance:
         """To the other body's shape, touching or not."""
+
+class ShapeId:
+    """One of the shapes of a body. A body keeps at least one."""
+    def remove(self) -> None:
+        """Takes it out of its world."""
+    @property
+    def index(self) -> int:
+        """its slot in the world"""
+    def __eq__(self, __other: object) -> bool: ...
+    def __hash__(self) -> int: ...
+    def __repr__(self) -> str: ...
+    @property
+    def alive(self) -> bool:
+        """false once it was removed"""
+    @property
+    def body(self) -> Body: ...
+    @property
+    def shape(self) -> Shape: ...
+    @property
+    def position(self) -> Array:
+        """of its frame, m"""
+    @property
+    def orientation(self) -> Array:
+        """of its frame: unit quaternion x, y, z, w"""
+    @property
+    def at(self) -> Array:
+        """of its frame, in the body's, m"""
+    @property
+    def turn(self) -> Array:
+        """of its frame, against the body's"""
+    @property
+    def density(self) -> float:
+        """kg/m³"""
+    @property
+    def material(self) -> Material:
+        """a copy"""
+    @property
+    def filter(self) -> Filter:
+        """a copy"""
+    @property
+    def surface_velocity(self) -> Array:
+        """m/s, shape's axes"""
 
 class Joint:
     """A joint of a world."""
@@ -951,7 +1005,7 @@ class World:
         """Adds a body, given by the fields of BodyDef by name."""
     def join(self, joint: Union[Bar, Rope, Ball, Hinge, Slider, Fixed, Plane, Muscle, Pulley, Reel]) -> Joint:
         """Adds a joint."""
-    def remove(self, handle: Union[Body, Joint, ForceId, SensorId]) -> None:
+    def remove(self, handle: Union[Body, ShapeId, Joint, ForceId, SensorId]) -> None:
         """A body takes its joints, forces and sensors with it."""
     def configure(self, *,
         solver: Literal["impulse_2007", "soft_step"] = ...,

@@ -6,13 +6,15 @@ from typing import TYPE_CHECKING, List, NamedTuple, Optional
 import numpy as np
 
 if TYPE_CHECKING:
-    from ._core import Body
+    from ._core import Body, ShapeId
 
 
 class Touch(NamedTuple):
-    """Two bodies that began or ceased to touch."""
+    """Two bodies that began or ceased to touch, with one shape each."""
     a: "Body"
     b: "Body"
+    shape_a: "ShapeId"
+    shape_b: "ShapeId"
 
 
 class Hit(NamedTuple):
@@ -55,7 +57,7 @@ class ContactPoint(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """One touching pair, as the last sub-step left it."""
+    """One touching pair of shapes, as the last sub-step left it."""
     a: "Body"
     b: "Body"
     normal: np.ndarray
@@ -66,6 +68,8 @@ class Contact(NamedTuple):
     restitution: float
     slipping: bool
     """friction is at the edge of its cone, and the bodies move along each other"""
+    shape_a: "ShapeId"
+    shape_b: "ShapeId"
 
 
 class RayHit(NamedTuple):
@@ -76,6 +80,7 @@ class RayHit(NamedTuple):
     """of the surface, unit vector"""
     distance: float
     """m"""
+    shape: "ShapeId"
 
 
 class Distance(NamedTuple):

@@ -35,7 +35,7 @@ class Error(ValueError):
     field: str
 '''
 # Keyword arguments that are the fields of a definition.
-FIELDS_OF = {"World.__init__": "Config", "World.configure": "Config", "World.add": "BodyDef"}
+FIELDS_OF = {"World.__init__": "Config", "World.configure": "Config", "World.add": "BodyDef", "Body.add_shape": "ShapeDef"}
 GIVEN = {"Vector": "Numbers", "Quaternion": "Numbers", "Matrix": "NumberRows", "Array": "Union[float, Numbers, NumberRows]"}
 GOT = {"Vector": "Array", "Quaternion": "Array", "Matrix": "Array"}
 DEFINITIONS = [name for name, kind in vars(core).items() if hasattr(kind, "_fields") and inspect.isclass(kind)]
