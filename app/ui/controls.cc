@@ -65,10 +65,44 @@ std::optional<Pos> Controls::place_of(Body b) const {
   return {};
 }
 
+bool* Controls::switched_by(Action action) {
+  switch (action) {
+    case Action::follow:
+      return &follow;
+    case Action::plots:
+      return &plots;
+    case Action::contacts:
+      return &style.contacts;
+    case Action::joints:
+      return &style.joints;
+    case Action::forces:
+      return &style.forces;
+    case Action::labels:
+      return &labels;
+    case Action::boxes:
+      return &style.boxes;
+    case Action::cells:
+      return &style.cells;
+    case Action::wireframe:
+      return &style.wireframe;
+    case Action::axes:
+      return &style.axes;
+    case Action::sleep:
+      return &style.sleep;
+    case Action::panels:
+      return &panels;
+    case Action::help:
+      return &help;
+    default:
+      return nullptr;
+  }
+}
+
 void Controls::perform(Action action) {
   Simulation& s = simulation_;
   const double scale = focus.radius;
   const Ray ray = pointer;
+  if (bool* on = switched_by(action)) *on = !*on;
   switch (action) {
     case Action::open:
       wants_open = true;
@@ -111,9 +145,6 @@ void Controls::perform(Action action) {
       return camera.set(framing(scene, aspect_));
     case Action::frame_all:
       return camera.set(framing(scene, aspect_));
-    case Action::follow:
-      follow = !follow;
-      return;
     case Action::shoot:
       return s.perform(Shoot{ray, scale});
     case Action::add_box:
@@ -129,44 +160,8 @@ void Controls::perform(Action action) {
       return s.redo();
     case Action::ghost:
       return s.show_ghost(!moment() || !moment()->ghost);
-    case Action::plots:
-      plots = !plots;
-      return;
-    case Action::contacts:
-      style.contacts = !style.contacts;
-      return;
-    case Action::joints:
-      style.joints = !style.joints;
-      return;
-    case Action::forces:
-      style.forces = !style.forces;
-      return;
-    case Action::labels:
-      labels = !labels;
-      return;
-    case Action::boxes:
-      style.boxes = !style.boxes;
-      return;
-    case Action::cells:
-      style.cells = !style.cells;
-      return;
     case Action::colours:
       style.colouring = Colouring((int(style.colouring) + 1) % 4);
-      return;
-    case Action::wireframe:
-      style.wireframe = !style.wireframe;
-      return;
-    case Action::axes:
-      style.axes = !style.axes;
-      return;
-    case Action::sleep:
-      style.sleep = !style.sleep;
-      return;
-    case Action::panels:
-      panels = !panels;
-      return;
-    case Action::help:
-      help = !help;
       return;
     case Action::fullscreen:
       wants_fullscreen = true;
@@ -185,6 +180,20 @@ void Controls::perform(Action action) {
     case Action::quit:
       wants_quit = true;
       return;
+    case Action::follow:
+    case Action::plots:
+    case Action::contacts:
+    case Action::joints:
+    case Action::forces:
+    case Action::labels:
+    case Action::boxes:
+    case Action::cells:
+    case Action::wireframe:
+    case Action::axes:
+    case Action::sleep:
+    case Action::panels:
+    case Action::help:
+      return;  // switched_by
   }
 }
 

@@ -58,6 +58,7 @@ class Controls {
 
  private:
   void neighbour(int way);
+  bool* switched_by(Action);  // what the action turns on and off; null: nothing
   void toggle_recording();
   void hold();
   std::optional<Pos> place_of(Body) const;
