@@ -27,6 +27,20 @@ inline Config sleepy(double dt = 0.01) {
   return c;
 }
 
+// Tests that hold with each solver, as it is by default but that nothing sleeps; instantiated with
+// INSTANTIATE_TEST_SUITE_P(Solvers, NAME, each_solver(), solver_name).
+class WithEachSolver : public testing::TestWithParam<Solver> {
+ protected:
+  Config config() const {
+    Config c;
+    c.solver = GetParam();
+    c.sleep = false;
+    return c;
+  }
+};
+inline auto each_solver() { return testing::Values(Solver::impulse_2007, Solver::soft_step); }
+inline std::string solver_name(const testing::TestParamInfo<Solver>& info) { return names(Solver{})[int(info.param)]; }
+
 inline Body add_floor(World& w, double y = 0, const Material& material = {}) {
   return w.add({.shape = half_space(), .at = {0, y, 0}, .material = material, .motion = Motion::fixed});
 }

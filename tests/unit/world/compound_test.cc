@@ -10,18 +10,8 @@
 namespace sudar_test {
 namespace {
 
-// Both solvers, each as by default but that nothing sleeps.
-class Compound : public testing::TestWithParam<Solver> {
- protected:
-  Config config() const {
-    Config c;
-    c.solver = GetParam();
-    c.sleep = false;
-    return c;
-  }
-};
-INSTANTIATE_TEST_SUITE_P(Solvers, Compound, testing::Values(Solver::impulse_2007, Solver::soft_step),
-                         [](const auto& info) { return names(Solver{})[int(info.param)]; });
+class Compound : public WithEachSolver {};
+INSTANTIATE_TEST_SUITE_P(Solvers, Compound, each_solver(), solver_name);
 
 BodyDef dumbbell(double density = 700) {
   const Quat along_x = axis_angle(Vec3{0, 0, 1}, Real(pi / 2));

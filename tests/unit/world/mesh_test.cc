@@ -11,17 +11,8 @@
 namespace sudar_test {
 namespace {
 
-class MeshOfTriangles : public testing::TestWithParam<Solver> {
- protected:
-  Config config() const {
-    Config c;
-    c.solver = GetParam();
-    c.sleep = false;
-    return c;
-  }
-};
-INSTANTIATE_TEST_SUITE_P(Solvers, MeshOfTriangles, testing::Values(Solver::impulse_2007, Solver::soft_step),
-                         [](const auto& info) { return names(Solver{})[int(info.param)]; });
+class MeshOfTriangles : public WithEachSolver {};
+INSTANTIATE_TEST_SUITE_P(Solvers, MeshOfTriangles, each_solver(), solver_name);
 
 // A grid of squares of this edge over x, z within ±half, each cut in two along alternating diagonals; height(x, z).
 Shape terrain(double half, int squares, const std::function<double(double, double)>& height) {
