@@ -192,7 +192,7 @@ void History::forget_beginning() {
   std::size_t deeds = 0;
   for (const auto& c : courses_) deeds += c->count_deeds();
   if (deeds <= most_.deeds) return;
-  const auto [first, saved] = keyframe(course(branch_), begin() + (frame_ - begin()) / 4);
+  const auto first = keyframe(course(branch_), begin() + (frame_ - begin()) / 4).first;  // clang 14 captures no binding
   if (first <= begin()) return;
   Course& c = course(owner(course(branch_), first).number);
   c.whole = false;
