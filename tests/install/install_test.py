@@ -43,7 +43,7 @@ class Installed(unittest.TestCase):
         cls.prefix = cls.folder / "a place"  # with a space; nothing may remember the first one
         (cls.folder / "before").rename(cls.prefix)
         cls.program = cls.prefix / "bin/sudar"
-        cls.library = next(cls.prefix.rglob("libsudar.so")).parent
+        cls.lib = next(cls.prefix.rglob("libsudar.so")).parent
 
     def example(self, name, *options):
         where = self.folder / name
@@ -55,8 +55,8 @@ class Installed(unittest.TestCase):
 
     def test_the_library_has_a_version_of_its_interface(self):
         minor = VERSION.rsplit(".", 1)[0]
-        self.assertEqual(os.readlink(self.library / "libsudar.so"), f"libsudar.so.{minor}")
-        self.assertEqual(os.readlink(self.library / f"libsudar.so.{minor}"), f"libsudar.so.{VERSION}")
+        self.assertEqual(os.readlink(self.lib / "libsudar.so"), f"libsudar.so.{minor}")
+        self.assertEqual(os.readlink(self.lib / f"libsudar.so.{minor}"), f"libsudar.so.{VERSION}")
 
     def test_the_headers_are_the_public_ones(self):
         def headers(where):
@@ -89,11 +89,11 @@ class Installed(unittest.TestCase):
     def with_pkg_config(self, compiler, source, package):
         """What the program says that is built so."""
         flags = subprocess.run(["pkg-config", "--cflags", "--libs", package], capture_output=True, text=True, check=True,
-                               env={**ENVIRONMENT, "PKG_CONFIG_PATH": str(self.library / "pkgconfig")}).stdout.strip()
+                               env={**ENVIRONMENT, "PKG_CONFIG_PATH": str(self.lib / "pkgconfig")}).stdout.strip()
         program = self.folder / f"{package}-program"
         # By a shell, which takes away the backslash before the space.
         run("sh", "-c", f"'{compiler}' '{source}' {flags} -o '{program}'")
-        return run("env", f"LD_LIBRARY_PATH={self.library}", program)
+        return run("env", f"LD_LIBRARY_PATH={self.lib}", program)
 
     @unittest.skipUnless(shutil.which("pkg-config"), "there is no pkg-config")
     def test_a_program_built_with_pkg_config(self):
