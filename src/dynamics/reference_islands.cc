@@ -4,6 +4,29 @@
 
 namespace sudar::inline SUDAR_PRECISION {
 
+namespace {
+
+// One body on what stays where it is or is carried, which rolls, slides, turns or has just come: what passes over contacts
+// that are looked at once a step do worst, and the reference does cheaply. At rest it is held as well by either, and
+// bounces are truer in soft_step.
+bool acts_alone(const StepView& in, const Island& island) {
+  constexpr std::uint32_t most_contacts = 4;
+  if (island.bodies.count != 1 || island.contacts.count == 0 || island.contacts.count > most_contacts) return false;
+  const auto contacts = island.contacts.of(in.contacts);
+  const auto bounces = [](const ActiveContact& c) {
+    return c.material.restitution > 0 && (c.manifold->bits & Manifold::touching) == 0;
+  };
+  if (std::ranges::any_of(contacts, bounces)) return false;
+  const std::uint32_t body = island.bodies.of(in.awake).front();
+  const Bodies& b = in.bodies;
+  const Real still = Real(0.05) * length(gravity(in.forces)) * in.h;
+  if (length(b.velocity[body]) + b.radius[body] * length(b.spin[body]) > still) return true;
+  const auto began = [](const ActiveContact& c) { return (c.manifold->bits & Manifold::began) != 0; };
+  return std::ranges::any_of(contacts, began);
+}
+
+}
+
 bool ReferenceIslands::belongs(const StepView& in, const Island& island) {
   constexpr std::size_t many = 1000;  // hold better by passes, but who has the time?
   const auto is_soft = [&](std::uint32_t j) {
@@ -11,14 +34,16 @@ bool ReferenceIslands::belongs(const StepView& in, const Island& island) {
   };
   if (!std::ranges::all_of(island.joints.of(in.joints), is_soft)) return true;
   // Who attracts from afar is seen where it is at each sub-step: then all advance together.
-  if (act_from_afar(in.forces) && !in.joints.empty()) return true;
+  const bool afar = act_from_afar(in.forces);
+  if (afar && !in.joints.empty()) return true;
+  if (!afar && acts_alone(in, island)) return true;
   if (island.linked || in.smooth.empty()) return false;
   const std::uint32_t body = island.bodies.of(in.awake).front();
   return std::ranges::find(in.smooth, body) != in.smooth.end();
 }
 
 void ReferenceIslands::gather(const StepView& in) {
-  islands_.clear(), awake_.clear(), joints_.clear(), pair_in_view_.clear(), pairs_.clear(), pairs_of_.clear();
+  islands_.clear(), awake_.clear(), joints_.clear(), pair_in_view_.clear(), pairs_.clear(), pairs_of_.clear(), geometries_.clear();
   for (const Island& island : in.islands) {
     if (!belongs(in, island)) continue;
     Island& own = islands_.emplace_back(island);
@@ -31,7 +56,9 @@ void ReferenceIslands::gather(const StepView& in) {
     for (std::uint32_t c = island.contacts.first; c < island.contacts.first + island.contacts.count; ++c) {
       pair_in_view_.push_back(c);
       PairRow& row = pairs_.emplace_back();
-      row.key = {in.contacts[c].shape_a, in.contacts[c].shape_b};
+      const auto first = std::uint32_t(geometries_.size());
+      row.key = {first, first + 1};  // by slot would fill lists as long as the world for a single pair
+      geometries_.insert(geometries_.end(), {in.geometries[in.contacts[c].shape_a], in.geometries[in.contacts[c].shape_b]});
       row.part = in.contacts[c].part;
       row.manifold = *in.contacts[c].manifold;
     }
@@ -40,13 +67,13 @@ void ReferenceIslands::gather(const StepView& in) {
 }
 
 void ReferenceIslands::look_again(const StepView& in) {
-  if (poses_.size() < in.bodies.shapes.size()) poses_.resize(in.bodies.shapes.size());
-  for (const PairRow& row : pairs_) {
-    for (const std::uint32_t s : {row.key.a, row.key.b}) poses_[s] = in.bodies.shape_pose(s);
+  poses_.clear();
+  for (const std::uint32_t c : pair_in_view_) {
+    for (const std::uint32_t s : {in.contacts[c].shape_a, in.contacts[c].shape_b}) poses_.push_back(in.bodies.shape_pose(s));
   }
   std::vector<std::uint32_t> all(pairs_.size());
   std::iota(all.begin(), all.end(), 0u);
-  collide_pairs(pairs_, all, in.geometries, poses_, in.config.impulse_2007.slop * in.config.length_unit);
+  collide_pairs(pairs_, all, geometries_, poses_, in.config.impulse_2007.slop * in.config.length_unit);
   // The step's view looks farther ahead than the reference solver: what does not touch is no contact to it.
   contacts_.clear(), in_view_.clear();
   for (std::size_t i = 0; i < islands_.size(); ++i) {
@@ -80,6 +107,7 @@ void ReferenceIslands::reorder_impulses(const StepView& in) {
       }
     }
     stored = ordered;
+    in.contact_state.reference[contact.slot] = {.normal = {}, .carried = -1};  // soft_step begins anew with it
   }
 }
 

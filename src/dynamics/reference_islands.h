@@ -30,7 +30,8 @@ class ReferenceIslands {
   std::vector<Island::Part> pairs_of_;  // by island
   std::vector<ActiveContact> contacts_;
   std::vector<std::uint32_t> in_view_;
-  std::vector<Pose> poses_;             // of shapes, by slot; of those in pairs
+  std::vector<const Geometry*> geometries_;  // of a pair's two shapes
+  std::vector<Pose> poses_;
 };
 
 }

@@ -5,6 +5,8 @@ namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
 class Impacts : public SoftBatch {
+  static constexpr Real together = Real(0.1);  // share of a sub-step's way by which points of a face may come later
+
  public:
   explicit Impacts(const SoftBatch& batch) : SoftBatch(batch) {}
 
@@ -56,40 +58,43 @@ class Impacts : public SoftBatch {
     const Real e = view(c).material.restitution;
     Vec3 g = pressing(row, lane, a, b);
     const Vec3 n = get(row.n, lane);
-    const Real pull = dot(n, acceleration(c.a) - acceleration(c.b));
-    std::array<Real, 4> target{}, impulse{};
-    bool acts = false;
+    const Real pull = dot(n, acceleration(c.a) - acceleration(c.b)), late = Real(0.5) * h_ * pull;
+    std::array<Real, 4> speed{}, depth{}, target{}, impulse{};
     std::array<bool, 4> touches{};
-    constexpr Real together = Real(0.1);  // share of a sub-step's way by which points of a face may come later
+    bool acts = false;
+    Real since = 0;  // the first point touched, s
     for (std::size_t k = 0; k < c.count; ++k) {
       const SoftRows::Point& p = row.points[k];
-      const Real u = g.x + p.x[lane] * g.y + p.y[lane] * g.z, s = separation(c, row, k);
-      touches[k] = s <= max(Real(0), -together * h_ * u);
-      if (!touches[k]) continue;
-      acts |= s <= 0 && u < -threshold();
-      // Falling on by the depth gave speed that the surface would not have seen.
-      const Real fallen = -2 * pull * min(Real(0), s);
-      target[k] = u < 0 ? sqrt(max(Real(0), square(e) * max(Real(0), square(u) + fallen) - fallen)) : Real(0);
+      const Real u = g.x + p.x[lane] * g.y + p.y[lane] * g.z;
+      speed[k] = u, depth[k] = -separation(c, row, k);
+      touches[k] = -depth[k] <= max(Real(0), -together * h_ * u);
+      if (depth[k] < 0 || u >= -threshold()) continue;
+      acts = true;
+      since = max(since, min(h_, depth[k] / -u));
     }
     if (!acts) return false;
-    Vec3 press;
     const Symmetric3<Real> response{row.press.xx[lane], row.press.xy[lane], row.press.xz[lane],
                                     row.press.yy[lane], row.press.yz[lane], row.press.zz[lane]};
-    // First all points of the face alike, or what the first of them takes away turns the body.
-    Vec3 all;
-    Real owed = 0;
-    for (std::size_t k = 0; k < c.count; ++k) {
-      if (!touches[k]) continue;
-      const SoftRows::Point& p = row.points[k];
-      all += Vec3{1, p.x[lane], p.y[lane]};
-      owed += target[k] - (g.x + p.x[lane] * g.y + p.y[lane] * g.z);
-    }
-    if (owed > 0) {
-      const Real equal = owed / dot(all, response * all);
-      press = all * equal;
-      g += response * press;
-      for (std::size_t k = 0; k < c.count; ++k) impulse[k] = touches[k] ? equal : Real(0);
-    }
+    // First all points of the face alike, or what the first of them takes away turns the body. `rise`: of a above where it
+    // is now.
+    const auto aim_alike = [&](Real rise) {
+      Vec3 all;
+      Real owed = 0;
+      for (std::size_t k = 0; k < c.count; ++k) {
+        if (!touches[k]) continue;
+        const SoftRows::Point& p = row.points[k];
+        target[k] = bounce(e, speed[k], depth[k], rise, pull, late);
+        all += Vec3{1, p.x[lane], p.y[lane]};
+        owed += target[k] - speed[k];
+      }
+      const Real equal = max(Real(0), owed) / dot(all, response * all);
+      return all * equal;
+    };
+    Vec3 press = aim_alike(0);
+    press = aim_alike(since * press.x * (a.inverse_mass + b.inverse_mass));
+    const SoftBody was_a = a, was_b = b;
+    for (std::size_t k = 0; k < c.count; ++k) impulse[k] = touches[k] ? press.x / Real(std::ranges::count(touches, true)) : Real(0);
+    g += response * press;
     for (int round = 0; round < 8; ++round) {
       for (std::size_t k = 0; k < c.count; ++k) {
         if (!touches[k]) continue;
@@ -108,12 +113,24 @@ class Impacts : public SoftBatch {
       SoftRows::Point& p = row.points[k];
       p.normal[lane] = p.friction_1[lane] = p.friction_2[lane] = 0;
     }
+    // It has flown off since.
+    if (moves(c.a)) a.shift += (a.v - was_a.v) * since;
+    if (moves(c.b)) b.shift += (b.v - was_b.v) * since;
     for (const std::uint32_t i : {c.a, c.b}) {
       if (!moves(i)) continue;
       motion(i).falls[lane_of(i)] = 0;
       set(motion(i).gain_v, lane_of(i), {}), set(motion(i).gain_momentum, lane_of(i), {});
     }
     return true;
+  }
+
+  // The rate of a point that came with rate u and is `depth` too deep, once the body has flown off and risen by `rise`: e
+  // times what it was at the surface, both found from the energy. `late`: what the rates of both sub-steps, which are those
+  // of their middles, lack of the moment between them.
+  Real bounce(Real e, Real u, Real depth, Real rise, Real pull, Real late) const {
+    if (u >= 0) return 0;
+    const Real at_surface = square(u + late) + 2 * pull * depth;
+    return max(Real(0), sqrt(max(Real(0), square(e) * max(Real(0), at_surface) + 2 * pull * (rise - depth))) + late);
   }
 
   Vec3 acceleration(std::uint32_t n) { return moves(n) ? get(motion(n).acceleration, lane_of(n)) : Vec3{}; }
