@@ -85,6 +85,7 @@ struct Case {
   Effort effort = Effort::quick;  // from which on it is run
   const char* others = "";        // what other engines reach
   bool uses_solver = true;        // false: geometry
+  std::optional<Solver> only{};   // it is about this solver's method
   // What falls as h^order, where theory says so: the run states it by deviation(), and a sweep over step sizes measures
   // the order, with 1, 2, 4 and 8 times so many sub-steps.
   const char* sweep = "";

@@ -27,9 +27,10 @@ constexpr KnownFailure known[] = {
 
 }
 
-const KnownFailure* known_failure(std::string_view id, Effort effort) {
+const KnownFailure* known_failure(std::string_view id, Effort effort, std::optional<Solver> solver) {
   for (const KnownFailure& k : known) {
-    if (k.id == id && effort >= k.from && (!k.single || sizeof(Real) == 4)) return &k;
+    const bool meant = k.id == id && effort >= k.from && (!k.single || sizeof(Real) == 4);
+    if (meant && (!k.only || k.only == solver)) return &k;
   }
   return nullptr;
 }

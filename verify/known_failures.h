@@ -3,6 +3,7 @@
 // leave the list.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "verify/case.h"
@@ -13,9 +14,10 @@ struct KnownFailure {
   const char *id, *reason;
   Effort from = Effort::quick;  // with less effort it passes, or is not run
   bool single = false;          // in single precision only
+  std::optional<Solver> only{};  // with this solver only
 };
 
-// Null: the case is to pass, with this effort and in this precision.
-const KnownFailure* known_failure(std::string_view id, Effort);
+// Null: the case is to pass, with this effort, in this precision and with this solver (none: it uses none).
+const KnownFailure* known_failure(std::string_view id, Effort, std::optional<Solver>);
 
 }

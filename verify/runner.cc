@@ -38,13 +38,17 @@ Tally count(const std::vector<Result>& results) {
 
 Surprises surprises(const std::vector<Result>& results, const Options& o) {
   Surprises found;
-  for (std::size_t i = 0; i < results.size();) {
-    const Case* of = results[i].of;
-    bool passed = true;
-    for (; i < results.size() && results[i].of == of; ++i) passed &= results[i].passed();
-    const bool known = known_failure(of->id, o.effort) != nullptr;
-    if (!passed && !known) found.failed.push_back(of);
-    if (passed && known && o.set.empty()) found.passed.push_back(of);
+  std::vector<std::pair<Surprise, bool>> passed;
+  for (const Result& r : results) {
+    const Surprise one{r.of, r.solver};
+    auto at = std::ranges::find(passed, one, &std::pair<Surprise, bool>::first);
+    if (at == passed.end()) at = passed.insert(at, {one, true});
+    at->second &= r.passed();
+  }
+  for (const auto& [of, all] : passed) {
+    const bool known = known_failure(of.of->id, o.effort, of.solver) != nullptr;
+    if (!all && !known) found.failed.push_back(of);
+    if (all && known && o.set.empty()) found.passed.push_back(of);
   }
   return found;
 }
@@ -104,8 +108,9 @@ std::vector<Result> plan(const Options& o) {
                        .without = without,
                        .sweeps = set.sweeps};
         if (!c->uses_solver) results.push_back(r);
-        for (std::size_t s = 0; c->uses_solver && s < o.solvers.size(); ++s)
-          results.push_back(r), results.back().solver = o.solvers[s];
+        for (const Solver solver : o.solvers) {
+          if (c->uses_solver && (!c->only || c->only == solver)) results.push_back(r), results.back().solver = solver;
+        }
       }
     }
   }

@@ -48,8 +48,13 @@ Tally count(const std::vector<Result>&);
 
 // What the list of known failures (known_failures.h) does not expect: cases that fail and are not in it, and cases in it
 // that pass; not with `set` parameters, with which nobody knows.
+struct Surprise {
+  const Case* of;
+  std::optional<Solver> solver;
+  bool operator==(const Surprise&) const = default;
+};
 struct Surprises {
-  std::vector<const Case*> failed, passed;
+  std::vector<Surprise> failed, passed;
   bool none() const { return failed.empty() && passed.empty(); }
 };
 Surprises surprises(const std::vector<Result>&, const Options&);

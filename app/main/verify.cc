@@ -47,7 +47,7 @@ void list_cases() {
 }
 
 void print(const Result& r, Effort effort) {
-  const KnownFailure* known = r.passed() ? nullptr : known_failure(r.of->id, effort);
+  const KnownFailure* known = r.passed() ? nullptr : known_failure(r.of->id, effort, r.solver);
   std::printf("%-5s %s, %s%s (%.2f s)\n", r.of->id, r.of->title, r.set.c_str(),
               r.passed() ? "" : known != nullptr ? ": fails as known" : ": FAILED", r.seconds);
   if (known != nullptr) std::printf("      %s\n", known->reason);
@@ -101,8 +101,12 @@ int verify(const VerifyOptions& v) {
     std::printf("\n%s\n", tally.text().c_str());
   }
   const Surprises found = surprises(results, options);
-  for (const Case* c : found.failed) std::fprintf(stderr, "sudar: %s fails, and is not known to\n", c->id);
-  for (const Case* c : found.passed) std::fprintf(stderr, "sudar: %s passes: take it off the known failures\n", c->id);
+  const auto say = [](const Surprise& s, const char* what) {
+    const std::string with = s.solver ? std::string(" with ") + solver_name(*s.solver) : "";
+    std::fprintf(stderr, "sudar: %s %s\n", s.of->id, (what + with).c_str());
+  };
+  for (const Surprise& s : found.failed) say(s, "fails, and is not known to");
+  for (const Surprise& s : found.passed) say(s, "passes: take it off the known failures");
   const bool all = tally.passed == tally.cases && tally.beside_passed == tally.beside;
   return found.none() && (all || !v.strict) ? 0 : 1;
 }

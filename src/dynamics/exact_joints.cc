@@ -10,7 +10,7 @@ namespace {
 
 // What a part of a sub-step resolves, as an angle: a turn, and a swing ωh (which grows without bound from 2 on).
 constexpr Real widest_turn = Real(0.25), widest_swing = Real(0.5);
-constexpr int most_for_turn = 16, most_for_swing = 2;  // tauter: as a chain that snaps straight, which no step resolves
+constexpr int most_for_turn = 16, most_for_swing = 2;
 
 int parts_for(Real angle, Real widest, int most) {
   const Real parts = angle / widest;
@@ -55,10 +55,20 @@ bool ExactJoints::advance(const Group& g) {
   const int for_turn = min(most_for_turn, parts_for(fastest_turn(g) * h, widest_turn, most_for_turn));
   int for_swing = parts_for(swing(g, h), widest_swing, most_for_swing), tried = 0;
   bool well = true;
+  added_.clear();
   while (well && for_swing > tried) {
     tried = for_swing;
     well = for_swing <= most_for_swing && move(g, max(for_turn, for_swing));
     for_swing = parts_for(swing(g, h), widest_swing, most_for_swing);
+  }
+  if (for_swing <= most_for_swing) return well;
+  // What goes round may be exactly as long as its span: then no motion is free, and no inertia is enough.
+  if (g.component.system->loops()) return false;
+  constexpr int most_tries = 3;  // tension comes with a jerk
+  for (int n = 0; n < most_tries && (n == 0 || (well && swings_beyond(g))); ++n) {
+    slow_swings(g);
+    well = move(g, for_turn);
+    swing(g, h);
   }
   return well;
 }
@@ -102,7 +112,11 @@ bool ExactJoints::move(const Group& g, int parts) {
   const JointComponent& c = g.component;
   save(c.bodies, bodies, before_);
   for (std::size_t n = 0; n < g.joints.size(); ++n) g.joint(n).forget_impulse();
-  gather(g);
+  take_up(g);
+  constexpr Real damping = Real(0.25);  // of what implicit Euler would take from such a swing
+  for (std::size_t k = 0; k < added_.size(); ++k) {
+    g.on(c.dynamic[k]).real.w *= broadcast(1 / (1 + damping * added_[k] / largest_inertia(g, k)));
+  }
   bool well = true;
   prepare(g);
   rates_before_ = rates(g);
@@ -171,7 +185,7 @@ bool ExactJoints::part(const Group& g, Real h) {
     apply(g);
   }
   if (!drift(g, h)) return false;
-  gather(g);
+  take_up(g);
   kick(g, h / 2);
   prepare(g);
   solve(g, [](const PreparedRow&, Real speed) { return -speed; });
@@ -191,6 +205,39 @@ bool ExactJoints::drift(const Group& g, Real h) {
 
 void ExactJoints::gather(const Group& g) {
   for (const std::uint32_t i : g.component.dynamic) g.on(i) = solver_body(g.bodies(), i);
+}
+
+// What a body k of the group must have besides its inertia so that its swing about its middle is slow enough. As the
+// implicit Euler method sees it, tension is stiffness: I + h² r·F for I (Tournier et al. 2015).
+Real ExactJoints::inertia_for_swing(const Group& g, std::size_t k) const {
+  constexpr Real resolved = Real(0.1);  // of the inertia: what SHAKE and RATTLE resolve themselves
+  return max(Real(0), Real(0.5) * g.s.h * tension_[k] - resolved * largest_inertia(g, k));
+}
+
+void ExactJoints::slow_swings(const Group& g) {
+  added_.resize(tension_.size(), 0);
+  for (std::size_t k = 0; k < added_.size(); ++k) added_[k] = max(added_[k], inertia_for_swing(g, k));
+}
+
+bool ExactJoints::swings_beyond(const Group& g) const {
+  for (std::size_t k = 0; k < added_.size(); ++k) {
+    if (inertia_for_swing(g, k) > 2 * added_[k] + largest_inertia(g, k)) return true;
+  }
+  return false;
+}
+
+Real ExactJoints::largest_inertia(const Group& g, std::size_t k) {
+  return max_component(g.bodies().inertia[g.component.dynamic[k]]);
+}
+
+void ExactJoints::take_up(const Group& g) {
+  gather(g);
+  for (std::size_t k = 0; k < added_.size(); ++k) {
+    if (added_[k] == 0) continue;
+    const std::uint32_t i = g.component.dynamic[k];
+    const Mat3 whole = g.bodies().inertia_world(i) + Mat3::diagonal({added_[k], added_[k], added_[k]});
+    g.on(i).inverse_inertia = lanes(inverse(whole));
+  }
 }
 
 void ExactJoints::kick(const Group& g, Real h) {

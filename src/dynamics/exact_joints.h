@@ -3,7 +3,7 @@
 // because the next projection meets a turned tangent. SHAKE (Ryckaert, Ciccotti, Berendsen 1977) chooses velocities
 // that meet the joints at the end of the drift, RATTLE (Andersen 1983) projects them once more there; half of the
 // forces and drives act before, half after (Hairer, Lubich, Wanner, Geometric Numerical Integration, VII.1). What spins or is taut
-// moves in parts of the sub-step.
+// moves in parts of the sub-step; what is tauter still answers impulses as if it had more inertia (geometric stiffness).
 #pragma once
 
 #include "dynamics/drives.h"
@@ -14,8 +14,7 @@ namespace sudar::inline SUDAR_PRECISION {
 class ExactJoints {
  public:
   // Moves over the sub-step every component of the island's joints, if none of its bodies touches anything, no limit is
-  // near, no spring acts, and it succeeds: no gap is wide before or after, no link between two joints is so taut that it
-  // would swing to and fro within a part, and no energy was made. Marks these joints `exact` and the bodies `settled`.
+  // near, no spring acts, and it succeeds: no gap is wide before or after, and no energy was made. Marks these joints `exact` and the bodies `settled`.
   // The motion is held back until commit(), so that all bodies see each other where the sub-step began.
   void advance(SubStep&, std::span<const JointGroup>, const Drives&);
   void reset() { moved_.clear(); }  // before the first island of a sub-step
@@ -49,6 +48,11 @@ class ExactJoints {
   bool part(const Group&, Real h);
   static bool drift(const Group&, Real h);
   static void gather(const Group&);
+  void take_up(const Group&);
+  static Real largest_inertia(const Group&, std::size_t k);
+  Real inertia_for_swing(const Group&, std::size_t k) const;
+  void slow_swings(const Group&);
+  bool swings_beyond(const Group&) const;
   void kick(const Group&, Real h);
   void prepare(const Group&);
   template <class Ask>
@@ -63,6 +67,7 @@ class ExactJoints {
   std::vector<Saved> moved_, before_, after_, trial_;
   std::vector<Wrench> loads_;        // by number in `dynamic`
   std::vector<Real> tension_;        // by number of the body, N s m
+  std::vector<Real> added_;          // to the inertia of taut bodies, by number of the body; empty: none
   std::vector<std::uint8_t> pulls_;  // joints that pull
   std::vector<Real> rates_before_;   // of driven coordinates, by joint of the group
   std::vector<std::array<Real, 6>> impulses_;

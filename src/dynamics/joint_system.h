@@ -26,6 +26,7 @@ class JointSystem {
   static std::optional<JointSystem> plan(std::span<const Joint> joints, std::int64_t most);
   std::size_t size() const { return joints_.size(); }
   const Joint& joint(std::size_t k) const { return joints_[k]; }
+  bool loops() const { return loops_; }  // the world counts as a body
 
   // rows[k]: the rows of joint k. A relative compliance (diagonal · (1 + c)) keeps rows that repeat each other
   // solvable; closed loops of hinges repeat themselves.

@@ -2,11 +2,11 @@
 // bites.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
 
-#include "verify/known_failures.h"
 #include "verify/peers.h"
 #include "verify/runner.h"
 
@@ -16,12 +16,14 @@ using namespace sudar::verify;
 namespace {
 
 // A failure that is not known is a regression; one that is known and gone has to leave the list.
-TEST(Cases, FailAsKnown) {
-  const auto known = [](const std::string& id) { return known_failure(id, Effort::quick) != nullptr; };
-  std::map<std::string, bool> passed;
-  for (const Result& r : run_cases({.effort = Effort::quick})) {
-    passed.try_emplace(r.of->id, true).first->second &= r.passed();
-    if (r.passed() || known(r.of->id)) continue;
+class CasesWith : public testing::TestWithParam<Solver> {};
+
+TEST_P(CasesWith, FailAsKnown) {
+  const Options options{.effort = Effort::quick, .solvers = {GetParam()}};
+  const std::vector<Result> results = run_cases(options);
+  const Surprises found = surprises(results, options);
+  for (const Result& r : results) {
+    if (r.passed() || std::ranges::find(found.failed, r.of, &Surprise::of) == found.failed.end()) continue;
     EXPECT_EQ(r.failure, "") << r.of->id;
     for (const Quantity& q : r.quantities) {
       if (!q.pass())
@@ -29,10 +31,12 @@ TEST(Cases, FailAsKnown) {
                       << q.tolerance;
     }
   }
-  for (const auto& [id, all] : passed) {
-    EXPECT_FALSE(all && known(id)) << id << " passes: take it out of known_failures.cc and docs/verification.md";
-  }
+  for (const Surprise& s : found.passed)
+    ADD_FAILURE() << s.of->id << " passes: take it out of known_failures.cc and docs/verification.md";
 }
+
+INSTANTIATE_TEST_SUITE_P(Solvers, CasesWith, testing::Values(Solver::impulse_2007, Solver::soft_step),
+                         [](const auto& info) { return std::string(solver_name(info.param)); });
 
 // Whether a quantity tells the case from the same without part of its physics: right with it and wrong without, or at
 // least ten times as wrong.
