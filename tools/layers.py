@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks that the engine is a line: a file includes only files above it in its folder's CMake list, files of folders
-further left, and public headers that rank no higher than its folder. Also: no include circles anywhere, no file over
+further left, and public headers that rank no higher than its folder. io/ stands on the public headers alone. Also: no include circles anywhere, no file over
 1000 lines, no file in src/ that no list names, and nothing in src/ from outside the C++ library.
 
     tools/layers.py [ROOT]      prints every breach, exits 1 if there is one; prints the median file length of src/
@@ -16,7 +16,8 @@ from sources import ROOT, layers, sources
 # The public headers in order, each with the folder it ranks with.
 PUBLIC = {"version.h": "base", "base.h": "base", "math.h": "math", "shape.h": "geometry", "solids.h": "geometry",
           "definitions.h": "geometry", "profile.h": "geometry", "distance.h": "collision", "world.h": "world",
-          "layout.h": "world", "record.h": "world", "difference.h": "world", "batch.h": "world", "scenario.h": "scenario", "session.h": "scenario"}
+          "layout.h": "world", "record.h": "world", "difference.h": "world", "batch.h": "world", "scenario.h": "scenario", "session.h": "scenario",
+          "io.h": "io"}
 MAX_LINES = 1000
 # Headers that belong to the compiler, not to a library: the floating-point control state and the vector types.
 COMPILER_HEADERS = {"xmmintrin.h", "immintrin.h"}
@@ -32,7 +33,7 @@ def includes(path):
 
 def check_order(root, line, breaches):
     """The rules for src/ and include/."""
-    rank = {folder: i for i, (folder, _) in enumerate(line)}
+    rank = {folder: i for i, folder in enumerate([folder for folder, _ in line] + ["io"])}
     position = {name: i for i, name in enumerate(name for _, names in line for name in names)}
     public = list(PUBLIC)
 
@@ -70,6 +71,17 @@ def check_order(root, line, breaches):
             breaches.append(f"src/{name}: listed, but does not exist")
 
 
+def check_io(root, breaches):
+    """io/ includes its own files by their path from the root, public headers, and libraries."""
+    for path in sources(root, ("io",)):
+        for number, kind, what in includes(path):
+            where = f"{path.relative_to(root)}:{number}"
+            if kind == '"' and not (what.startswith("io/") and (root / what).is_file()):
+                breaches.append(f"{where}: not a file of io/: {what}")
+            elif what.startswith("sudar/") and what[6:] not in PUBLIC:
+                breaches.append(f"{where}: no such public header: {what}")
+
+
 def check_circles(root, breaches):
     """Follows includes in every folder; a file met again while it is still open closes a circle."""
     bases = [root / "include", root / "src", root / "app", root / "scenarios", root / "tests", root]
@@ -104,6 +116,7 @@ def check(root):
     """All breaches, as lines of text."""
     breaches = []
     check_order(root, layers(root), breaches)
+    check_io(root, breaches)
     check_circles(root, breaches)
     for path in sources(root):
         lines = len(path.read_text().splitlines())

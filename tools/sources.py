@@ -4,7 +4,7 @@ import pathlib
 import re
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-FOLDERS = ("include", "src", "scenarios", "verify", "bench", "app", "tests", "tools", "examples", "bindings")
+FOLDERS = ("include", "src", "io", "scenarios", "verify", "bench", "app", "tests", "tools", "examples", "bindings")
 
 
 def sources(root, folders=FOLDERS):

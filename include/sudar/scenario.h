@@ -191,7 +191,7 @@ struct ScenarioEntry {
   const char* about;  // one line
   double seconds;
   double picture;     // s
-  Scenario* (*create)();
+  Scenario* (*create)(const ScenarioEntry&);  // the entry itself: what is made may depend on what it belongs to
   void (*destroy)(Scenario*);
 };
 
@@ -239,7 +239,7 @@ const char* abi_of_this_file() {
                                             Type::about,                                                         \
                                             Type::seconds,                                                       \
                                             Type::picture,                                                       \
-                                            []() -> sudar::Scenario* { return new Type; },                       \
+                                            [](const sudar::ScenarioEntry&) -> sudar::Scenario* { return new Type; },  \
                                             [](sudar::Scenario* s) { delete s; }};                               \
     return &entry;                                                                                               \
   }

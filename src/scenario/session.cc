@@ -43,7 +43,7 @@ constexpr std::uint64_t kind = 0xffffffffffff;       // of it: without the versi
 }
 
 ScenarioPointer make_scenario(const ScenarioEntry& entry) {
-  ScenarioPointer scenario(entry.create(), entry.destroy);
+  ScenarioPointer scenario(entry.create(entry), entry.destroy);
   if (!scenario) throw Error(entry.name, "the plugin makes no scenario");
   return scenario;
 }

@@ -45,7 +45,7 @@ const ScenarioEntry playground{abi_of_this_file(),
                                "",
                                Playground::seconds,
                                1,
-                               []() -> Scenario* { return new Playground; },
+                               [](const ScenarioEntry&) -> Scenario* { return new Playground; },
                                [](Scenario* s) { delete s; }};
 
 std::unique_ptr<Run> start_of(const ScenarioEntry& entry, const Settings& settings = {}) {

@@ -30,7 +30,8 @@ struct Rain : Scenario {
   void check(const World&, Check&) override {}
 };
 const ScenarioEntry rain{
-    abi_of_this_file(),           "rain", "Tests/Rain", "", Rain::seconds, 1, []() -> Scenario* { return new Rain; },
+    abi_of_this_file(), "rain", "Tests/Rain", "", Rain::seconds, 1,
+    [](const ScenarioEntry&) -> Scenario* { return new Rain; },
     [](Scenario* s) { delete s; }};
 
 struct Reached {

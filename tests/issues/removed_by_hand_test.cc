@@ -24,7 +24,7 @@ const ScenarioEntry pusher{abi_of_this_file(),
                            "",
                            Pusher::seconds,
                            1,
-                           []() -> Scenario* { return new Pusher; },
+                           [](const ScenarioEntry&) -> Scenario* { return new Pusher; },
                            [](Scenario* s) { delete s; }};
 
 TEST(RemovedByHand, TheWorldGoesOn) {

@@ -27,7 +27,7 @@ const ScenarioEntry jumper{.abi = abi_of_this_file(),
                            .about = "",
                            .seconds = 2,
                            .picture = 1,
-                           .create = []() -> Scenario* { return new Jumper; },
+                           .create = [](const ScenarioEntry&) -> Scenario* { return new Jumper; },
                            .destroy = [](Scenario* s) { delete s; }};
 
 void run_to(Session& s, int steps) {

@@ -37,7 +37,7 @@ const ScenarioEntry drops{.abi = abi_of_this_file(),
                           .about = Drops::about,
                           .seconds = Drops::seconds,
                           .picture = 1,
-                          .create = []() -> Scenario* { return new Drops; },
+                          .create = [](const ScenarioEntry&) -> Scenario* { return new Drops; },
                           .destroy = [](Scenario* s) { delete s; }};
 
 Catalogue catalogue() {
