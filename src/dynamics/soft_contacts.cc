@@ -119,12 +119,13 @@ class Preparation : public SoftBatch {
     const std::uint32_t upper = a_above ? c.a : c.b, lower = a_above ? c.b : c.a;
     if (!moves(upper)) return;
     Support s{.upper = upper, .lower = moves(lower) ? lower : 0, .count = c.count, .steepness = abs(vertical)};
+    const Real reach = (is_fresh(c) ? soft_touch : soft_support_gap) * unit_;
     bool near = false;
     for (std::size_t k = 0; k < c.count; ++k) {
       const SoftRows::Point& p = row.points[k];
       const Vec3 d = t1 * p.x[c.lane] + t2 * p.y[c.lane];
       s.arm_upper[k] = (a_above ? ra : rb) + d, s.arm_lower[k] = (a_above ? rb : ra) + d;
-      s.carries[k] = p.separation[c.lane] < soft_support_gap * unit_;
+      s.carries[k] = p.separation[c.lane] < reach;
       near |= s.carries[k];
     }
     if (!near) return;
@@ -150,6 +151,12 @@ class Preparation : public SoftBatch {
     w_.support_loads.solve(w_.supports, w_.movers, w_.weights, w_.heights, w_.radii, up);
   }
 
+  // Whether it has carried nothing yet.
+  bool is_fresh(const SoftContact& c) const {
+    const ActiveContact& from = view(c);
+    return (from.manifold->bits & Manifold::began) != 0 || in_.contact_state.reference[from.slot].carried < 0;
+  }
+
   // What meets or parts faster is not at rest, and carries nothing yet, m/s: the speed of a fall from a millimetre up.
   Real calm() const { return sqrt(2 * length(gravity_) * soft_support_gap * unit_); }
 
@@ -168,8 +175,7 @@ class Preparation : public SoftBatch {
     if (c.support != none) load = w_.supports[c.support].load;
     Real carried = 0;
     for (const Real l : load) carried += l;
-    const bool began = (manifold.bits & Manifold::began) != 0;
-    const bool fresh = began || reference.carried < 0;  // has carried nothing yet
+    const bool began = (manifold.bits & Manifold::began) != 0, fresh = is_fresh(c);
     const bool eased = !fresh && carried > 0 && carried < Real(0.9) * reference.carried;
     Real held = 0;
     ContactReference next{.normal = {}, .carried = c.support == none && fresh ? Real(-1) : carried};

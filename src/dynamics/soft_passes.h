@@ -192,7 +192,7 @@ class SoftPasses : SoftPair<W> {
       const V s = get(p.separation) + (moved.x + (x[i] * moved.y + y[i] * moved.z)) + lift;
       const V held = reference[i] > zero ? wide::all<V>(set_.reach) : zero;
       const auto apart = s > held;
-      const V gap = (s - held) * per_h;
+      const V gap = s * per_h;
       if constexpr (undo_overlap) {
         bias[i] = apart ? gap : wide::larger(get(r.bias_rate) * s, wide::all<V>(-set_.push_speed));
         mass[i] = apart ? mass[i] : mass[i] * get(r.mass_scale);
