@@ -7,14 +7,15 @@ namespace sudar::inline SUDAR_PRECISION {
 namespace {
 
 // One body on what stays where it is or is carried, which rolls, slides, turns or has just come: what passes over contacts
-// that are looked at once a step do worst, and the reference does cheaply. At rest it is held as well by either; and in what
-// strikes at such a speed that contacts are not where they were, soft_step makes no energy
-// (tests/issues/spinning_impact_test.cc).
+// that are looked at once a step do worst. The reference costs five times as much, so that what is left of a crowd must have
+// been alone for a while. At rest a body is held as well by either; and in what strikes at such a speed that contacts are not
+// where they were, soft_step makes no energy (tests/issues/spinning_impact_test.cc).
 bool acts_alone(const StepView& in, const Island& island) {
   constexpr std::uint32_t most_contacts = 4;
   if (island.bodies.count != 1 || island.contacts.count == 0 || island.contacts.count > most_contacts) return false;
   const std::uint32_t body = island.bodies.of(in.awake).front();
   const Bodies& b = in.bodies;
+  if (b.crowded_time[body] > 0) return false;
   const Real radius = b.radius[body], speed = length(b.velocity[body]);
   if (speed * in.h * Real(in.substeps) > radius) return false;
   if (speed + radius * length(b.spin[body]) > Real(0.05) * length(gravity(in.forces)) * in.h) return true;
@@ -22,6 +23,16 @@ bool acts_alone(const StepView& in, const Island& island) {
   return std::ranges::any_of(island.contacts.of(in.contacts), began);
 }
 
+}
+
+void ReferenceIslands::watch_crowds(const StepView& in) {
+  constexpr Real while_crowded = 1;  // s
+  for (const Island& island : in.islands) {
+    for (const std::uint32_t i : island.bodies.of(in.awake)) {
+      Real& time = in.bodies.crowded_time[i];
+      time = island.bodies.count > 1 ? while_crowded : max(Real(0), time - in.h * Real(in.substeps));
+    }
+  }
 }
 
 bool ReferenceIslands::belongs(const StepView& in, const Island& island) {

@@ -1,5 +1,6 @@
 // The islands of a step that soft_step leaves to the reference solver, impulse_2007: those with joints, unless
-// they are ball joints in large numbers, and free bodies for Runge–Kutta. Sub-step by sub-step, their contacts looked at again in each.
+// they are ball joints in large numbers, bodies that move alone on what does not answer, and free bodies for Runge–Kutta.
+// Sub-step by sub-step, their contacts looked at again in each.
 #pragma once
 
 #include "collision/narrow/pairs.h"
@@ -10,6 +11,8 @@ namespace sudar::inline SUDAR_PRECISION {
 // Keeps only memory between steps, no state.
 class ReferenceIslands {
  public:
+  // Before the step: whose company it is in.
+  static void watch_crowds(const StepView&);
   // Whether the island is one of them, in this view.
   static bool belongs(const StepView&, const Island&);
 

@@ -11,7 +11,7 @@ namespace sudar::inline SUDAR_PRECISION {
 // Lengths, m · length_unit, of docs/soft_step.md.
 inline constexpr Real soft_reach = Real(0.010);        // a loaded point is held softly until it is so far apart
 inline constexpr Real soft_support_gap = Real(0.018);  // nearer points may carry
-inline constexpr Real soft_touch = Real(0.0005);       // so near must come what has carried nothing yet: what is dropped falls
+inline constexpr Real soft_touch = Real(0.003);       // so near must come what has carried nothing yet: what is dropped falls
 
 // Of a constraint of some frequency [Hz] and damping ratio in sub-steps of length h (soft_step.h).
 struct Softness {

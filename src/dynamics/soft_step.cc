@@ -208,6 +208,7 @@ void SoftStepSolver::advance(const StepView& in, StepOutcome& out) {
   Memory& m = *memory_;
   m.work.resize(in.pool.workers());
   for (SoftWorkspace& w : m.work) w.out.clear();
+  ReferenceIslands::watch_crowds(in);
   m.plan.make(in);
   const bool carried = m.reference.advance(in, out);
   m.number_of.resize(in.bodies.size());
