@@ -17,8 +17,9 @@ Mat3d sound_inertia(const Inertial& i, const Link& link, Remarks& remarks) {
     return Mat3d::identity() * (0.4 * i.mass * 0.01);
   }
   if (has_body(i.inertia)) return i.inertia;
-  remarks.warn(link.from, "has an inertia of no body, one of whose principal moments is greater than the sum of the others: "
-                          "their mean is taken for all");
+  remarks.warn(link.from,
+               "has an inertia of no body, one of whose principal moments is greater than the sum of the others: "
+               "their mean is taken for all");
   return Mat3d::identity() * (largest / 3);
 }
 
@@ -45,9 +46,7 @@ Assembly::Assembly(Articulation mechanism, Model& model, Source& source, Remarks
   }
 }
 
-Frame Assembly::frame_of(int link) const {
-  return link == ground ? Frame{{}, z_up()} : frames_[std::size_t(link)];
-}
+Frame Assembly::frame_of(int link) const { return link == ground ? Frame{{}, z_up()} : frames_[std::size_t(link)]; }
 
 Body Assembly::body_of(int link) const {
   const int root = root_of(link);
@@ -83,9 +82,7 @@ void Assembly::shorten() {
     const int holder = root_of(links[i].parent);
     if (roots_[i] == int(i) && holder != ground) carried[std::size_t(holder)].push_back(int(i));
   }
-  const auto massless = [&](std::size_t i) {
-    return roots_[i] == int(i) && !links[i].kinematic && !(mass[i] > 0);
-  };
+  const auto massless = [&](std::size_t i) { return roots_[i] == int(i) && !links[i].kinematic && !(mass[i] > 0); };
   const auto leave_pieces = [&](std::size_t root) {
     for (const int part : parts_[root]) links[std::size_t(part)].pieces.clear();
   };
@@ -111,7 +108,8 @@ void Assembly::shorten() {
     for (Degree& d : degrees) d.at = between.point(d.at), d.axis = rotate(between.q, d.axis);
     if (!links[i].free) next.degrees.insert(next.degrees.begin(), degrees.begin(), degrees.end());
     if (!links[i].pieces.empty()) {
-      remarks_.warn(links[i].from, "moves, but has no mass: what it looks like is left out, what it carries takes its joint");
+      remarks_.warn(links[i].from,
+                    "moves, but has no mass: what it looks like is left out, what it carries takes its joint");
       leave_pieces(i);
     }
     next.free = next.free || links[i].free;
@@ -170,7 +168,12 @@ void Assembly::add_body(int root) {
     def.center = convert<Real>(all.center);
     def.inertia = rounded(sound_inertia(all, link, remarks_));
   }
-  if (link.kinematic && !(all.mass > 0) && def.shapes.empty()) def.mass = 1;  // weighs nothing on what it moves
+  if (def.shapes.empty()) {
+    remarks_.note(link.from, "has no shape: it is seen as a ball, which touches nothing");
+    const double radius = all.mass > 0 ? sqrt(2.5 * trace(all.inertia) / (3 * all.mass)) : 0;  // with such an inertia
+    def.shapes.push_back({.shape = sphere(Real(clamp(radius, 0.01, 1.0)))});
+    def.filter = {.category = 0, .mask = 0};
+  }
   source_.count_item();
   bodies_[std::size_t(root)] = int(model_.bodies.size());
   model_.bodies.push_back({std::move(def), link.from, link.name});

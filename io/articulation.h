@@ -1,6 +1,6 @@
 // A mechanism as files of robots tell it: links in each other's frames, each with the degrees of freedom against its
-// parent. URDF and MJCF become this, and this becomes a model: what is welded together is one body, the degrees of freedom
-// between two bodies are joints.
+// parent. URDF and MJCF become this, and this becomes a model: what is welded together is one body, the degrees of
+// freedom between two bodies are joints.
 #pragma once
 
 #include "io/fields.h"
@@ -31,22 +31,22 @@ struct Piece {
   std::string name{};
   Origin from{};
   Shape shape{};
-  Frame at{};               // of the shape's frame, in the link's
-  MassProperties unit{};    // in the shape's frame; volume 0: has no mass
-  double mass = 0;          // kg
+  Frame at{};             // of the shape's frame, in the link's
+  MassProperties unit{};  // in the shape's frame; volume 0: has no mass
+  double mass = 0;        // kg
   Material material{};
-  std::size_t meets = 0;    // its number among Articulation::classes
+  std::size_t meets = 0;  // its number among Articulation::classes
 };
 
 struct Link {
   std::string name{};
   Origin from{};
   int parent = ground;
-  Frame at{};                    // in the parent's
-  bool free = false;             // nothing holds it to its parent
-  bool kinematic = false;        // moved by hand
+  Frame at{};                     // in the parent's
+  bool free = false;              // nothing holds it to its parent
+  bool kinematic = false;         // moved by hand
   std::vector<Degree> degrees{};  // from the parent outwards
-  Inertial inertial{};           // in its own frame
+  Inertial inertial{};            // in its own frame
   std::vector<Piece> pieces{};
 };
 
@@ -64,8 +64,8 @@ class Assembly {
   Assembly(Articulation, Model&, Source&, Remarks&);
 
   const Articulation& mechanism() const { return mechanism_; }
-  Frame frame_of(int link) const;              // in the model's world
-  Body body_of(int link) const;                // its number; null: the world
+  Frame frame_of(int link) const;  // in the model's world
+  Body body_of(int link) const;    // its number; null: the world
   // Another joint between two links.
   void join(JointDef, const Origin& from, const std::string& name);
 
@@ -82,10 +82,10 @@ class Assembly {
   Model& model_;
   Source& source_;
   Remarks& remarks_;
-  std::vector<Frame> frames_;  // by link, in the world
-  std::vector<int> roots_;     // by link: that which moves, and carries it; ground: nothing does
+  std::vector<Frame> frames_;            // by link, in the world
+  std::vector<int> roots_;               // by link: that which moves, and carries it; ground: nothing does
   std::vector<std::vector<int>> parts_;  // by root: the links that it carries, itself included
-  std::vector<int> bodies_;    // by link: number of its body; -1: none
+  std::vector<int> bodies_;              // by link: number of its body; -1: none
 };
 
 // Joints that leave b those degrees of freedom against a, added to the model. The degrees are in the world.

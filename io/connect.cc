@@ -2,7 +2,8 @@
 // for links between them that have no mass; such a link is here what mechanics makes of it: the conditions that it puts
 // on the two bodies. Points of b in planes of a, and bars between points of both, say all that can be said of lines:
 //   two hinges whose lines meet      a ball, and a bar that keeps the angle between the lines (a universal joint)
-//   two hinges whose lines are skew  four bars, each from one of two points of one line to one of two of the other: with
+//   two hinges whose lines are skew  four bars, each from one of two points of one line to one of two of the other:
+//   with
 //                                    the lines they are a tetrahedron, which is rigid
 //   two parallel hinges              three points of b stay in their plane, and a bar
 //   three hinges that meet           a ball
@@ -16,9 +17,9 @@ namespace sudar::inline SUDAR_PRECISION::io {
 
 namespace {
 
-constexpr double lever = 0.1;       // m: between the points that stand for a line or a plane
-constexpr double meeting = 1e-7;    // m: lines that come so near to each other meet
-constexpr double parallel = 1e-7;   // sine of the angle
+constexpr double lever = 0.1;      // m: between the points that stand for a line or a plane
+constexpr double meeting = 1e-7;   // m: lines that come so near to each other meet
+constexpr double parallel = 1e-7;  // sine of the angle
 
 Pos position(const Vec3d& p) { return {p.x, p.y, p.z}; }
 
@@ -46,12 +47,14 @@ class Connection {
     }
     for (const Degree& d : degrees_) {
       if (d.range || d.stiffness > 0 || d.damping > 0 || d.friction > 0 || d.armature > 0)
-        remarks_.warn(d.from, "is one of several joints between two links: its range, spring, damping, friction and armature "
-                              "are left out");
+        remarks_.warn(d.from,
+                      "is one of several joints between two links: its range, spring, damping, friction and armature "
+                      "are left out");
     }
     if (!several()) {
-      remarks_.warn(degrees_[0].from, "begins a chain of joints without mass between them, which cannot be made: the two links "
-                                      "move freely against each other");
+      remarks_.warn(degrees_[0].from,
+                    "begins a chain of joints without mass between them, which cannot be made: the two links "
+                    "move freely against each other");
     }
   }
 
@@ -100,7 +103,10 @@ class Connection {
     if (d.armature > 0) remarks_.warn(d.from, "the armature, inertia of a rotor, is left out");
     if (d.stiffness > 0 || d.damping > 0) {
       if (d.friction > 0) remarks_.warn(d.from, "the friction is left out beside a spring or damping");
-      return {.mode = DriveMode::spring, .target = Real(d.rest), .force = Real(d.force), .stiffness = Real(d.stiffness),
+      return {.mode = DriveMode::spring,
+              .target = Real(d.rest),
+              .force = Real(d.force),
+              .stiffness = Real(d.stiffness),
               .damping = Real(d.damping)};
     }
     if (d.friction > 0) return {.mode = DriveMode::speed, .force = Real(d.friction)};
@@ -164,7 +170,8 @@ class Connection {
 
   // Two slides across a hinge.
   bool planar(const Degree& slide, const Degree& other, const Degree& hinge) {
-    if (along(slide.axis, other.axis) || !across(slide.axis, hinge.axis) || !across(other.axis, hinge.axis)) return false;
+    if (along(slide.axis, other.axis) || !across(slide.axis, hinge.axis) || !across(other.axis, hinge.axis))
+      return false;
     planar(hinge.at, hinge.axis);
     return true;
   }

@@ -20,18 +20,16 @@ std::vector<std::string_view> words(std::string_view text) {
   }
 }
 
+// Of numbers that can be worked with, fourth powers are finite.
+constexpr double largest = 1e60;
+
 // Finite numbers alone: no file means "nan" or "inf".
 std::optional<double> number_of(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   double x = 0;
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), x);
-  if (error != std::errc() || stop != word.data() + word.size() || !std::isfinite(x)) return {};
+  if (error != std::errc() || stop != word.data() + word.size() || !(abs(x) <= largest)) return {};
   return x;
-}
-
-std::string shown(std::string_view word) {
-  constexpr std::size_t longest = 40;
-  return "\"" + std::string(word.substr(0, longest)) + (word.size() > longest ? "…" : "") + "\"";
 }
 
 std::string shown(double x) {
@@ -93,7 +91,7 @@ std::vector<double> Fields::numbers(std::string_view name, std::size_t least, st
   std::vector<double> result;
   for (const std::string_view word : all) {
     const std::optional<double> x = number_of(word);
-    if (!x) fail(name, shown(word) + " is no number that can be worked with");
+    if (!x) fail(name, in_quotes(word) + " is no number that can be worked with");
     result.push_back(*x);
   }
   return result;
@@ -128,7 +126,7 @@ std::size_t Fields::choice(std::string_view name, std::size_t otherwise,
   if (it != choices.end()) return std::size_t(it - choices.begin());
   std::string list;
   for (const std::string_view c : choices) list.append(list.empty() ? "" : ", ").append(c);
-  fail(name, "is " + shown(a->value) + ", must be one of " + list);
+  fail(name, "is " + in_quotes(a->value) + ", must be one of " + list);
 }
 
 Vec3d Fields::vector(std::string_view name, const Vec3d& otherwise) {
@@ -148,12 +146,18 @@ void Fields::pass(std::initializer_list<std::string_view> names) {
 }
 
 void Fields::leave_out(std::string_view name, const std::string& message) {
-  if (ask(name) != nullptr) remarks_.warn(at(name), "\"" + std::string(name) + "\": " + message);
+  if (ask(name) != nullptr) remarks_.warn(at(name), in_quotes(name).append(" ").append(message));
+}
+
+void Fields::mention(std::string_view name, const std::string& message) {
+  if (ask(name) != nullptr) remarks_.note(at(name), in_quotes(name).append(" ").append(message));
 }
 
 void Fields::finish() {
   for (std::size_t i = 0; i < attributes_.size(); ++i) {
-    if (!asked_[i]) remarks_.warn(attributes_[i].at, "the attribute \"" + attributes_[i].name.substr(0, 40) + "\" is not known, and left out");
+    if (!asked_[i])
+      remarks_.warn(attributes_[i].at,
+                    "the attribute " + in_quotes(attributes_[i].name) + " is not known, and left out");
   }
 }
 

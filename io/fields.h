@@ -1,5 +1,5 @@
-// Attributes of an XML element, read as numbers, vectors and choices, each error with its line. What nobody asked for is
-// found out, so that nothing is passed over in silence.
+// Attributes of an XML element, read as numbers, vectors and choices, each error with its line. What nobody asked for
+// is found out, so that nothing is passed over in silence.
 #pragma once
 
 #include <map>
@@ -51,8 +51,9 @@ class Fields {
 
   // Attributes that change nothing of what is made here: looks, names of looks.
   void pass(std::initializer_list<std::string_view> names);
-  // One that would, but is not supported.
+  // One that would, but is not supported; `mention`: and hardly matters.
   void leave_out(std::string_view name, const std::string& message);
+  void mention(std::string_view name, const std::string& message);
   // Warns of each attribute that nobody asked for.
   void finish();
 

@@ -29,8 +29,8 @@ struct Inertial {
   Mat3d inertia{};  // kg m²
 };
 Inertial inertial_of(const MassProperties&, double mass);
-Inertial moved(const Inertial&, const Frame&);               // from its frame to the one in which that lies
-Inertial together(const Inertial&, const Inertial&);         // of both, in the same frame
+Inertial moved(const Inertial&, const Frame&);        // from its frame to the one in which that lies
+Inertial together(const Inertial&, const Inertial&);  // of both, in the same frame
 Mat3d turned(const Mat3d& tensor, const Quatd&);
 
 // No eigenvalue is below `least`, but for rounding.

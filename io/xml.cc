@@ -48,7 +48,8 @@ class XmlReader {
 
   std::string_view rest() const { return text_.substr(position_); }
   void advance(std::size_t n) {
-    line_ += int(std::count(text_.begin() + std::ptrdiff_t(position_), text_.begin() + std::ptrdiff_t(position_ + n), '\n'));
+    line_ +=
+        int(std::count(text_.begin() + std::ptrdiff_t(position_), text_.begin() + std::ptrdiff_t(position_ + n), '\n'));
     position_ += n;
   }
   bool skip(std::string_view what) {
@@ -115,7 +116,10 @@ class XmlReader {
     const std::uint32_t base = hexadecimal ? 16 : 10;
     std::uint32_t code = 0;
     for (const char c : up_to(";", "a character's number")) {
-      const int digit = c >= '0' && c <= '9' ? c - '0' : c >= 'a' && c <= 'f' ? c - 'a' + 10 : c >= 'A' && c <= 'F' ? c - 'A' + 10 : 99;
+      const int digit = c >= '0' && c <= '9'   ? c - '0'
+                        : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                        : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                               : 99;
       if (std::uint32_t(digit) >= base || code > 0x10ffff) fail("a character's number is wrong");
       code = code * base + std::uint32_t(digit);
     }
@@ -154,19 +158,19 @@ class XmlReader {
       const std::size_t before = position_;
       skip_spaces();
       if (rest().starts_with("/>") || rest().starts_with(">")) break;
-      if (position_ == before) fail("a space, \">\" or \"/>\" was expected in \"" + e.name + "\"");
+      if (position_ == before) fail("a space, \">\" or \"/>\" was expected in " + in_quotes(e.name));
       XmlAttribute a{.at = {file_, line_, {}}};
       a.name = name("an attribute");
       a.at.field = e.name + " " + a.name;
-      if (e.find(a.name) != nullptr) fail("\"" + e.name + "\" has \"" + a.name + "\" twice");
+      if (e.find(a.name) != nullptr) fail(in_quotes(e.name) + " has " + in_quotes(a.name) + " twice");
       skip_spaces();
-      if (!skip("=")) fail("\"=\" was expected after \"" + a.name + "\"");
+      if (!skip("=")) fail("\"=\" was expected after " + in_quotes(a.name));
       skip_spaces();
       a.value = value();
       e.attributes.push_back(std::move(a));
-      if (e.attributes.size() > most_attributes) fail("\"" + e.name + "\" has too many attributes");
+      if (e.attributes.size() > most_attributes) fail(in_quotes(e.name) + " has too many attributes");
     }
-    if (const XmlAttribute* own = e.find("name")) call(e, own->value.substr(0, longest_shown));
+    if (const XmlAttribute* own = e.find("name")) call(e, in_quotes(own->value));
     if (skip("/>")) return e;
     skip(">");
     children(e, depth);
@@ -174,19 +178,21 @@ class XmlReader {
   }
 
   static void call(XmlElement& e, const std::string& own) {
-    e.at.field = e.name + " \"" + own + "\"";
+    e.at.field = e.name + " " + own;
     for (XmlAttribute& a : e.attributes) a.at.field = e.at.field + " " + a.name;
   }
 
   void children(XmlElement& e, std::size_t depth) {
     while (true) {
       const std::size_t n = rest().find('<');
-      if (n == std::string_view::npos) fail("\"" + e.name + "\" of line " + std::to_string(e.at.line) + " never ends");
+      if (n == std::string_view::npos)
+        fail(in_quotes(e.name) + " of line " + std::to_string(e.at.line) + " never ends");
       advance(n);
       if (skip("<![CDATA[")) {
         up_to("]]>", "a text");
       } else if (skip("</")) {
-        if (name("an element") != e.name) fail("\"" + e.name + "\" of line " + std::to_string(e.at.line) + " should end here");
+        if (name("an element") != e.name)
+          fail(in_quotes(e.name) + " of line " + std::to_string(e.at.line) + " should end here");
         skip_spaces();
         if (!skip(">")) fail("\">\" was expected");
         return;
@@ -197,7 +203,7 @@ class XmlReader {
     }
   }
 
-  static constexpr std::size_t longest_name = 1000, longest_shown = 60, most_attributes = 1000;
+  static constexpr std::size_t longest_name = 1000, most_attributes = 1000;
   Source& source_;
   std::string_view text_;
   std::string file_;
@@ -207,8 +213,15 @@ class XmlReader {
 
 }
 
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  std::string result = "\"";
+  return result.append(text.substr(0, longest)).append(text.size() > longest ? "…\"" : "\"");
+}
+
 const XmlAttribute* XmlElement::find(std::string_view attribute) const {
-  const auto it = std::find_if(attributes.begin(), attributes.end(), [&](const auto& a) { return a.name == attribute; });
+  const auto it =
+      std::find_if(attributes.begin(), attributes.end(), [&](const auto& a) { return a.name == attribute; });
   return it == attributes.end() ? nullptr : &*it;
 }
 

@@ -1,4 +1,4 @@
-#include "io/mjcf_settings.h"
+#include "io/mjcf/settings.h"
 
 namespace sudar::inline SUDAR_PRECISION::io {
 
@@ -6,7 +6,8 @@ namespace {
 
 void read_compiler(MjcfSettings& s, Fields f) {
   s.degrees = f.choice("angle", s.degrees ? 1 : 0, {"radian", "degree"}) == 1;
-  if (f.choice("coordinate", 0, {"local", "global"}) == 1) f.fail("coordinate", "global coordinates are not read; MuJoCo has them no more");
+  if (f.choice("coordinate", 0, {"local", "global"}) == 1)
+    f.fail("coordinate", "global coordinates are not read; MuJoCo has them no more");
   s.euler = f.text("eulerseq", s.euler);
   if (s.euler.size() != 3 || s.euler.find_first_not_of("xyzXYZ") != std::string::npos)
     f.fail("eulerseq", "must be three of x, y, z, X, Y, Z");
@@ -19,11 +20,12 @@ void read_compiler(MjcfSettings& s, Fields f) {
   s.least_mass = f.number("boundmass", s.least_mass, not_negative);
   s.least_inertia = f.number("boundinertia", s.least_inertia, not_negative);
   s.total_mass = f.number("settotalmass", s.total_mass);
-  if (const auto groups = f.numbers("inertiagrouprange", 2, 2); !groups.empty()) s.first_group = groups[0], s.last_group = groups[1];
+  if (const auto groups = f.numbers("inertiagrouprange", 2, 2); !groups.empty())
+    s.first_group = groups[0], s.last_group = groups[1];
   s.mesh_folder = f.text("meshdir", f.text("assetdir", s.mesh_folder));
-  f.leave_out("fitaabb", "a geom that is fitted to a mesh is the mesh's hull here");
-  f.pass({"assetdir", "texturedir", "strippath", "fusestatic", "usethread", "convexhull", "exactmeshinertia", "alignfree",
-          "saveinertial", "conflict"});
+  f.leave_out("fitaabb", "has no effect: a geom that is fitted to a mesh is the mesh's hull here");
+  f.pass({"assetdir", "texturedir", "strippath", "fusestatic", "usethread", "convexhull", "exactmeshinertia",
+          "alignfree", "saveinertial", "conflict"});
   f.finish();
 }
 
@@ -38,9 +40,9 @@ void read_flags(MjcfSettings& s, Fields f) {
   s.dampers = s.dampers && passive && on("damper");
   s.actuators = s.actuators && on("actuation");
   if (!on("gravity")) s.gravity = {};
-  if (!on("filterparent")) f.leave_out("filterparent", "links that are joined do not touch here");
-  f.pass({"clampctrl", "warmstart", "refsafe", "sensor", "midphase", "eulerdamp", "override", "energy", "fwdinv", "invdiscrete",
-          "sensornoise", "multiccd", "island", "nativeccd", "autoreset"});
+  if (!on("filterparent")) f.leave_out("filterparent", "has no effect: links that are joined do not touch here");
+  f.pass({"clampctrl", "warmstart", "refsafe", "sensor", "midphase", "eulerdamp", "override", "energy", "fwdinv",
+          "invdiscrete", "sensornoise", "multiccd", "island", "nativeccd", "autoreset"});
   f.finish();
 }
 
@@ -48,16 +50,34 @@ void read_option(MjcfSettings& s, Remarks& remarks, const XmlElement& e) {
   Fields f(remarks, e);
   s.timestep = f.number("timestep", s.timestep, positive);
   s.gravity = f.vector("gravity", s.gravity);
-  const char* no_fluid = "a medium that resists motion is not supported: bodies move as in a vacuum";
+  const char* no_fluid = "of a medium is not supported: bodies move as in a vacuum";
   for (const char* name : {"density", "viscosity"}) {
     if (f.number(name, 0, not_negative) > 0) f.leave_out(name, no_fluid);
   }
   if (f.vector("wind") != Vec3d{}) f.leave_out("wind", no_fluid);
-  if (f.choice("collision", 0, {"all", "predefined", "dynamic"}) != 0) f.leave_out("collision", "all pairs touch here that may");
+  if (f.choice("collision", 0, {"all", "predefined", "dynamic"}) != 0)
+    f.leave_out("collision", "has no effect: all pairs touch here that may");
   for (const char* name : {"o_margin", "o_solref", "o_solimp", "o_friction"}) f.leave_out(name, "is not supported");
-  f.pass({"apirate", "impratio", "magnetic", "integrator", "cone", "jacobian", "solver", "iterations", "tolerance",
-          "ls_iterations", "ls_tolerance", "noslip_iterations", "noslip_tolerance", "mpr_iterations", "mpr_tolerance",
-          "ccd_iterations", "ccd_tolerance", "sdf_iterations", "sdf_initpoints", "actuatorgroupdisable"});
+  f.pass({"apirate",
+          "impratio",
+          "magnetic",
+          "integrator",
+          "cone",
+          "jacobian",
+          "solver",
+          "iterations",
+          "tolerance",
+          "ls_iterations",
+          "ls_tolerance",
+          "noslip_iterations",
+          "noslip_tolerance",
+          "mpr_iterations",
+          "mpr_tolerance",
+          "ccd_iterations",
+          "ccd_tolerance",
+          "sdf_iterations",
+          "sdf_initpoints",
+          "actuatorgroupdisable"});
   f.finish();
   for (const XmlElement& c : e.children) {
     if (c.name == "flag") read_flags(s, Fields(remarks, c));

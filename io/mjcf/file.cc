@@ -1,4 +1,4 @@
-#include "io/mjcf_file.h"
+#include "io/mjcf/file.h"
 
 #include <algorithm>
 
@@ -14,7 +14,8 @@ bool is_orientation(std::string_view name) {
 
 // Kinds of elements that share their defaults.
 std::string kind_of(const std::string& element) {
-  for (const char* actuator : {"general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion"}) {
+  for (const char* actuator :
+       {"general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion"}) {
     if (element == actuator) return "general";
   }
   if (element == "fixed" || element == "spatial") return "tendon";
@@ -69,13 +70,16 @@ void MjcfFile::expand(XmlElement& e, std::size_t depth) {
       try {
         const std::filesystem::path file = source_.find(name, path_).lexically_normal();
         if (std::ranges::find(included_, file) != included_.end())
-          throw Error("", "\"" + name + "\" is included for the second time");
+          throw Error("", in_quotes(name) + " is included for the second time");
         included_.push_back(file);
         const Bytes bytes = source_.read(file);
-        XmlElement root = parse_xml(source_, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
+        XmlElement root =
+            parse_xml(source_, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file.string());
         expand(root, depth + 1);
         std::ranges::move(root.children, std::back_inserter(children));
-      } catch (const FileError&) { throw; } catch (const Error& error) { throw FileError(c.at, error.what()); }
+      } catch (const FileError&) { throw; } catch (const Error& error) {
+        throw FileError(c.at, error.what());
+      }
     }
     e.children = std::move(children);
   }
@@ -86,12 +90,13 @@ void MjcfFile::read_defaults(const XmlElement& e, const std::string& parent) {
   const XmlAttribute* own = e.find("class");
   if (own == nullptr && !parent.empty()) throw FileError(e.at, "a class of defaults needs the attribute \"class\"");
   const std::string name = own != nullptr ? own->value : main_class;
-  if (!parent.empty() && classes_.contains(name)) throw FileError(own->at, "there are two classes \"" + name + "\"");
+  if (!parent.empty() && classes_.contains(name)) throw FileError(own->at, "there are two classes " + in_quotes(name));
   // The outermost class is the main one, whatever it is called.
   if (parent.empty() && name != main_class) classes_[name].parent = main_class;
   if (!parent.empty()) classes_[name].parent = parent;
   for (const XmlElement& c : e.children) {
-    if (c.name != "default") lay_over(classes_[parent.empty() ? main_class : name].attributes[kind_of(c.name)], c.attributes);
+    if (c.name != "default")
+      lay_over(classes_[parent.empty() ? main_class : name].attributes[kind_of(c.name)], c.attributes);
   }
   for (const XmlElement& c : e.children) {
     if (c.name == "default") read_defaults(c, parent.empty() ? main_class : name);
@@ -99,7 +104,7 @@ void MjcfFile::read_defaults(const XmlElement& e, const std::string& parent) {
 }
 
 void MjcfFile::require_class(const Origin& at, const std::string& name) const {
-  if (!classes_.contains(name)) throw FileError(at, "there is no class of defaults \"" + name + "\"");
+  if (!classes_.contains(name)) throw FileError(at, "there is no class of defaults " + in_quotes(name));
 }
 
 Fields MjcfFile::fields(const XmlElement& e, const std::string& childclass, std::string kind) const {
