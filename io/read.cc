@@ -3,13 +3,20 @@
 #include <new>
 
 #include "io/format.h"
+#include "io/mjcf/mjcf.h"
+#include "io/urdf.h"
 
 namespace sudar::inline SUDAR_PRECISION::io {
 
 namespace {
 
 // A line for each ending.
-constexpr std::array<Format, 0> formats{};
+constexpr std::array formats{
+    Format{".xml", "MJCF", read_mjcf},
+    Format{".mjcf", "MJCF", read_mjcf},
+    Format{".urdf", "URDF", read_urdf},
+    Format{".xacro", "xacro", read_xacro},
+};
 
 std::string ending_of(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
