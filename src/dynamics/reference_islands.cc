@@ -13,6 +13,9 @@ namespace {
 bool acts_alone(const StepView& in, const Island& island) {
   constexpr std::uint32_t most_contacts = 4;
   if (island.bodies.count != 1 || island.contacts.count == 0 || island.contacts.count > most_contacts) return false;
+  const auto contacts = island.contacts.of(in.contacts);
+  // The triangles that it will roll onto within the step are no contacts yet, and would be missing.
+  if (std::ranges::any_of(contacts, [](const ActiveContact& c) { return c.part != no_part; })) return false;
   const std::uint32_t body = island.bodies.of(in.awake).front();
   const Bodies& b = in.bodies;
   if (b.crowded_time[body] > 0) return false;
@@ -20,7 +23,7 @@ bool acts_alone(const StepView& in, const Island& island) {
   if (speed * in.h * Real(in.substeps) > radius) return false;
   if (speed + radius * length(b.spin[body]) > Real(0.05) * length(gravity(in.forces)) * in.h) return true;
   const auto began = [](const ActiveContact& c) { return (c.manifold->bits & Manifold::began) != 0; };
-  return std::ranges::any_of(island.contacts.of(in.contacts), began);
+  return std::ranges::any_of(contacts, began);
 }
 
 }

@@ -16,9 +16,6 @@ namespace {
 const Settings awake{.config = {{"sleep", "false"}}};
 const Settings soft{.config = {{"solver", "soft_step"}}};
 
-// Known failures of soft_step; docs/soft_step.md gives the reasons. One that begins to pass is to be struck off.
-constexpr const char* not_with_soft_step[] = {"sticks", "wheel"};
-
 // Every check has a verdict, and it is good.
 void expect_passed(const Check& check) {
   EXPECT_FALSE(check.entries().empty());
@@ -31,13 +28,6 @@ void expect_passed(const Check& check) {
 void expect_passes(const ScenarioEntry& entry, const Settings& settings) {
   Session session(entry, settings);
   expect_passed(run(session));
-}
-
-void expect_passes_with_soft_step(const ScenarioEntry& entry) {
-  if (std::ranges::count(not_with_soft_step, std::string_view(entry.name)) == 0) return expect_passes(entry, soft);
-  Session session(entry, soft);
-  const auto passed = [](const Check::Entry& e) { return e.pass.value_or(false); };
-  EXPECT_FALSE(std::ranges::all_of(run(session).entries(), passed)) << "is listed as a failure, and passes";
 }
 
 // What is restored at step 100, in another instance of the scenario, has the same bits at step 200.
@@ -182,7 +172,7 @@ int main(int argc, char** argv) {
   for (const ScenarioEntry* entry : scenarios().all()) {
     add_test(*entry, "passes", [entry] { expect_passes(*entry, {}); });
     add_test(*entry, "passes_without_sleep", [entry] { expect_passes(*entry, awake); });
-    add_test(*entry, "passes_with_soft_step", [entry] { expect_passes_with_soft_step(*entry); });
+    add_test(*entry, "passes_with_soft_step", [entry] { expect_passes(*entry, soft); });
     add_test(*entry, "restores", [entry] { expect_restores(*entry, {}), expect_restores(*entry, awake), expect_restores(*entry, soft); });
     add_test(*entry, "replays", [entry] { expect_replays(*entry); });
     add_test(*entry, "goes_on", [entry] { expect_goes_on(*entry); });
