@@ -38,7 +38,7 @@ struct Island {
     template <class T>
     std::span<T> of(std::span<T> all) const { return all.subspan(first, count); }
   };
-  Part bodies, contacts, joints;  // of the lists in which everything is island after island
+  Part bodies, contacts, joints, near;  // of the lists in which everything is island after island
   bool linked = false;            // touches or hangs on something, be it the floor
 };
 

@@ -54,70 +54,80 @@ bool ReferenceIslands::belongs(const StepView& in, const Island& island) {
 }
 
 void ReferenceIslands::gather(const StepView& in) {
-  islands_.clear(), awake_.clear(), joints_.clear(), pair_in_view_.clear(), pairs_.clear(), pairs_of_.clear(), geometries_.clear();
+  islands_.clear(), awake_.clear(), joints_.clear(), seen_.clear(), pairs_.clear(), pairs_of_.clear(), geometries_.clear();
+  const auto see = [&](const ActiveContact& contact, std::uint32_t number) {
+    seen_.push_back({contact, number});
+    PairRow& row = pairs_.emplace_back();
+    const auto first = std::uint32_t(geometries_.size());
+    row.key = {first, first + 1};  // by slot would fill lists as long as the world for a single pair
+    geometries_.insert(geometries_.end(), {in.geometries[contact.shape_a], in.geometries[contact.shape_b]});
+    row.part = contact.part;
+    row.manifold = *contact.manifold;
+  };
   for (const Island& island : in.islands) {
     if (!belongs(in, island)) continue;
     Island& own = islands_.emplace_back(island);
     own.bodies.first = std::uint32_t(awake_.size());
-    pairs_of_.push_back({std::uint32_t(pairs_.size()), island.contacts.count});
+    pairs_of_.push_back({std::uint32_t(pairs_.size()), island.contacts.count + island.near.count});
     own.joints.first = std::uint32_t(joints_.size());
     const auto bodies = island.bodies.of(in.awake), joints = island.joints.of(in.joints);
     awake_.insert(awake_.end(), bodies.begin(), bodies.end());
     joints_.insert(joints_.end(), joints.begin(), joints.end());
-    for (std::uint32_t c = island.contacts.first; c < island.contacts.first + island.contacts.count; ++c) {
-      pair_in_view_.push_back(c);
-      PairRow& row = pairs_.emplace_back();
-      const auto first = std::uint32_t(geometries_.size());
-      row.key = {first, first + 1};  // by slot would fill lists as long as the world for a single pair
-      geometries_.insert(geometries_.end(), {in.geometries[in.contacts[c].shape_a], in.geometries[in.contacts[c].shape_b]});
-      row.part = in.contacts[c].part;
-      row.manifold = *in.contacts[c].manifold;
-    }
+    for (std::uint32_t c = island.contacts.first; c < island.contacts.first + island.contacts.count; ++c) see(in.contacts[c], c);
+    for (const ActiveContact& contact : island.near.of(in.near)) see(contact, Seen::nowhere);
   }
   smooth_.assign(in.smooth.begin(), in.smooth.end());
+  impulses_.impulse.assign(seen_.size(), {}), impulses_.slipping.assign(seen_.size(), 0);
+  for (std::size_t k = 0; k < seen_.size(); ++k) {
+    if (!seen_[k].in_view()) continue;
+    impulses_.impulse[k] = in.contact_state.impulse[seen_[k].contact.slot];
+    impulses_.slipping[k] = in.contact_state.slipping[seen_[k].contact.slot];
+  }
 }
 
 void ReferenceIslands::look_again(const StepView& in) {
   poses_.clear();
-  for (const std::uint32_t c : pair_in_view_) {
-    for (const std::uint32_t s : {in.contacts[c].shape_a, in.contacts[c].shape_b}) poses_.push_back(in.bodies.shape_pose(s));
+  for (const Seen& seen : seen_) {
+    for (const std::uint32_t s : {seen.contact.shape_a, seen.contact.shape_b}) poses_.push_back(in.bodies.shape_pose(s));
   }
   std::vector<std::uint32_t> all(pairs_.size());
   std::iota(all.begin(), all.end(), 0u);
   collide_pairs(pairs_, all, geometries_, poses_, in.config.impulse_2007.slop * in.config.length_unit);
   // The step's view looks farther ahead than the reference solver: what does not touch is no contact to it.
-  contacts_.clear(), in_view_.clear();
+  contacts_.clear(), number_.clear();
   for (std::size_t i = 0; i < islands_.size(); ++i) {
     const auto first = std::uint32_t(contacts_.size());
     for (std::uint32_t k = pairs_of_[i].first; k < pairs_of_[i].first + pairs_of_[i].count; ++k) {
-      ActiveContact contact = in.contacts[pair_in_view_[k]];
       if (pairs_[k].manifold.count == 0) {
-        in.contact_state.impulse[contact.slot] = {};
+        impulses_.impulse[k] = {};
         continue;
       }
-      contact.manifold = &pairs_[k].manifold;
+      ActiveContact contact = seen_[k].contact;
+      contact.slot = k, contact.manifold = &pairs_[k].manifold;
       contacts_.push_back(contact);
-      in_view_.push_back(pair_in_view_[k]);
+      number_.push_back(seen_[k].number);
     }
     islands_[i].contacts = {first, std::uint32_t(contacts_.size()) - first};
   }
 }
 
-// Stored impulses lie in the order of the last manifold's points; the pair remembers the first one's.
-void ReferenceIslands::reorder_impulses(const StepView& in) {
+// Impulses lie in the order of the last manifold's points; the pair remembers the first one's.
+void ReferenceIslands::store_impulses(const StepView& in) {
   for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const ActiveContact& contact = in.contacts[pair_in_view_[k]];
+    if (!seen_[k].in_view()) continue;
+    const ActiveContact& contact = seen_[k].contact;
     const Manifold &last = pairs_[k].manifold, &first = *contact.manifold;
-    ContactImpulse& stored = in.contact_state.impulse[contact.slot];
+    const ContactImpulse& own = impulses_.impulse[k];
     ContactImpulse ordered;
-    ordered.turning = stored.turning;
+    ordered.turning = own.turning;
     for (std::size_t i = 0; i < std::size_t(first.count); ++i) {
       for (std::size_t j = 0; j < std::size_t(last.count); ++j) {
         if (first.points[i].feature != last.points[j].feature) continue;
-        ordered.normal[i] = stored.normal[j], ordered.friction[i] = stored.friction[j];
+        ordered.normal[i] = own.normal[j], ordered.friction[i] = own.friction[j];
       }
     }
-    stored = ordered;
+    in.contact_state.impulse[contact.slot] = ordered;
+    in.contact_state.slipping[contact.slot] = impulses_.slipping[k];
     in.contact_state.reference[contact.slot] = {.normal = {}, .carried = -1};  // soft_step begins anew with it
   }
 }
@@ -135,6 +145,7 @@ bool ReferenceIslands::advance(const StepView& in, StepOutcome& out) {
                      .islands = islands_,
                      .awake = awake_,
                      .contacts = contacts_,
+                     .near = {},
                      .joints = joints_,
                      .smooth = smooth_,
                      .kinematic = in.kinematic,
@@ -142,13 +153,14 @@ bool ReferenceIslands::advance(const StepView& in, StepOutcome& out) {
                      .bodies = in.bodies,
                      .joint_state = in.joint_state,
                      .joint_graph = in.joint_graph,
-                     .contact_state = in.contact_state,
+                     .contact_state = impulses_,
                      .pool = in.pool},
                     some);
-    for (StepOutcome::Hit& hit : some.hits) hit.contact = in_view_[hit.contact];
+    for (StepOutcome::Hit& hit : some.hits) hit.contact = number_[hit.contact];
+    std::erase_if(some.hits, [](const StepOutcome::Hit& hit) { return hit.contact == Seen::nowhere; });  // told once it is one
     out.add(some);
   }
-  reorder_impulses(in);
+  store_impulses(in);
   return true;
 }
 

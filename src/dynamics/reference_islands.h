@@ -20,19 +20,28 @@ class ReferenceIslands {
   bool advance(const StepView&, StepOutcome&);
 
  private:
+  // A contact of the step's view, or what may become one.
+  struct Seen {
+    static constexpr std::uint32_t nowhere = 0xffffffffu;
+    ActiveContact contact;
+    std::uint32_t number;  // in the view's contacts
+    bool in_view() const { return number != nowhere; }
+  };
+
   void gather(const StepView&);
   void look_again(const StepView&);
-  void reorder_impulses(const StepView&);
+  void store_impulses(const StepView&);
 
   Impulse2007Solver solver_;
   std::vector<Island> islands_;
   std::vector<std::uint32_t> awake_, joints_, smooth_;
   // All pairs of the step's view, island after island, and those of them that touch in the sub-step at work.
-  std::vector<std::uint32_t> pair_in_view_;
+  std::vector<Seen> seen_;
   std::vector<PairRow> pairs_;
-  std::vector<Island::Part> pairs_of_;  // by island
+  Contacts impulses_;                        // by pair
+  std::vector<Island::Part> pairs_of_;       // by island
   std::vector<ActiveContact> contacts_;
-  std::vector<std::uint32_t> in_view_;
+  std::vector<std::uint32_t> number_;        // in the view
   std::vector<const Geometry*> geometries_;  // of a pair's two shapes
   std::vector<Pose> poses_;
 };

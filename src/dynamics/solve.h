@@ -37,6 +37,8 @@ struct StepView {
   std::span<const Island> islands;
   std::span<const std::uint32_t> awake;  // dynamic bodies
   std::span<const ActiveContact> contacts;
+  // Triangles that may become contacts within the step, without a slot and points; of solvers that look once a step.
+  std::span<const ActiveContact> near;
   std::span<const std::uint32_t> joints;
   std::span<const std::uint32_t> smooth;  // awake ones for Runge–Kutta: no contacts, no joints
   std::span<const std::uint32_t> kinematic;

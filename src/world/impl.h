@@ -100,6 +100,8 @@ struct World::Impl {
   std::vector<std::uint8_t> looked_at;      // by pair: in the last stage `collide`
   std::vector<std::uint32_t> touching;      // pairs that touch and can change, island after island
   std::vector<ActiveContact> active_contacts;  // the same
+  std::vector<std::uint32_t> near;          // pairs with a triangle that may touch within the step, island after island
+  std::vector<ActiveContact> near_contacts; // the same
   Unions unions;
   std::vector<std::uint32_t> island_of;     // by body slot, of those awake: number in `islands`
   std::vector<Island> islands;

@@ -235,6 +235,19 @@ void link_contacts(World::Impl& w, std::vector<std::uint32_t>& touching_rows) {
   }
 }
 
+// What a body will be over within the step is no contact yet, and the solver may look again in its sub-steps.
+std::vector<std::uint32_t> near_rows(const World::Impl& w) {
+  std::vector<std::uint32_t> near;
+  if (w.detects_each_substep() || w.meshes.empty()) return near;
+  for (const std::uint32_t r : w.pairs.active()) {
+    const PairRow& row = w.pairs[r];
+    if (row.part == no_part || touching(row)) continue;
+    const auto [a, b] = w.bodies_of(row.key);
+    if (w.bodies.awake(a) || w.bodies.awake(b)) near.push_back(r);
+  }
+  return near;
+}
+
 // Of pairs of several parts: what began and ceased to touch as a whole.
 void link_wholes(World::Impl& w) {
   std::ranges::sort(w.touched_before, {}, [&](const TouchBefore& t) { return w.pairs[t.pair].order(); });
@@ -263,7 +276,7 @@ void link_joints(World::Impl& w, std::span<const std::uint32_t> active) {
 
 // Islands in the order of their roots, and every list in that of islands.
 void list_islands(World::Impl& w, std::span<const std::uint32_t> awake, std::span<const std::uint32_t> touching_rows,
-                  std::span<const std::uint32_t> joints) {
+                  std::span<const std::uint32_t> near_rows, std::span<const std::uint32_t> joints) {
   const Bodies& b = w.bodies;
   w.islands.clear();
   w.island_of.resize(b.size());
@@ -281,15 +294,18 @@ void list_islands(World::Impl& w, std::span<const std::uint32_t> awake, std::spa
   const auto of_joint = [&](std::uint32_t j) { return w.island_of[awake_side(w, j)]; };
   sort_by_island(w.islands, &Island::bodies, awake, of_body, w.awake);
   sort_by_island(w.islands, &Island::contacts, touching_rows, of_pair, w.touching);
+  sort_by_island(w.islands, &Island::near, near_rows, of_pair, w.near);
   sort_by_island(w.islands, &Island::joints, joints, of_joint, w.active_joints);
   for (Island& island : w.islands) island.linked = island.contacts.count > 0 || island.joints.count > 0;
-  w.active_contacts.clear();
-  for (const std::uint32_t r : w.touching) {
-    const PairRow& row = w.pairs[r];
-    const auto [one, two] = w.bodies_of(row.key);
-    w.active_contacts.push_back(
-        {one, two, row.key.a, row.key.b, row.part, row.row, &row.manifold, w.pair_material(row.key)});
-  }
+  const auto list = [&](std::span<const std::uint32_t> pairs, std::vector<ActiveContact>& contacts) {
+    contacts.clear();
+    for (const std::uint32_t r : pairs) {
+      const PairRow& row = w.pairs[r];
+      const auto [one, two] = w.bodies_of(row.key);
+      contacts.push_back({one, two, row.key.a, row.key.b, row.part, row.row, &row.manifold, w.pair_material(row.key)});
+    }
+  };
+  list(w.touching, w.active_contacts), list(w.near, w.near_contacts);
 }
 
 // Free bodies whose forces are smooth enough for an explicit method of high order: it needs h · rate < 1.
@@ -321,7 +337,7 @@ void link(World::Impl& w) {
   link_wholes(w);
   link_joints(w, joints);
   w.joint_graph.settle(w.joints, b);
-  list_islands(w, awake, touching_rows, joints);
+  list_islands(w, awake, touching_rows, near_rows(w), joints);
   list_smooth(w);
 }
 
@@ -336,6 +352,7 @@ void solve(World::Impl& w) {
                       .islands = w.islands,
                       .awake = w.awake,
                       .contacts = w.active_contacts,
+                      .near = w.near_contacts,
                       .joints = w.active_joints,
                       .smooth = w.smooth,
                       .kinematic = w.kinematic,
