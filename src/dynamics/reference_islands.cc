@@ -14,8 +14,6 @@ bool acts_alone(const StepView& in, const Island& island) {
   constexpr std::uint32_t most_contacts = 4;
   if (island.bodies.count != 1 || island.contacts.count == 0 || island.contacts.count > most_contacts) return false;
   const auto contacts = island.contacts.of(in.contacts);
-  // The triangles that it will roll onto within the step are no contacts yet, and would be missing.
-  if (std::ranges::any_of(contacts, [](const ActiveContact& c) { return c.part != no_part; })) return false;
   const std::uint32_t body = island.bodies.of(in.awake).front();
   const Bodies& b = in.bodies;
   if (b.crowded_time[body] > 0) return false;
