@@ -8,6 +8,8 @@
 
 #include <sudar/base.h>
 
+#include "base/room.h"
+
 namespace sudar::inline SUDAR_PRECISION {
 
 class Links {
@@ -22,6 +24,10 @@ class Links {
   void remove(std::uint32_t item) {
     detach(2 * item);
     detach(2 * item + 1);
+  }
+  // Makes room for owners below `count`, so that the first item of one costs nothing more.
+  void reserve(std::uint32_t count) {
+    make_room(lists_, count);
   }
   std::uint32_t count(std::uint32_t owner) const { return owner < lists_.size() ? lists_[owner].count : 0; }
 
@@ -53,7 +59,7 @@ class Links {
   void attach(std::uint32_t end, std::uint32_t owner) {
     ends_[end] = {none, none, owner};
     if (owner == nobody) return;
-    if (owner >= lists_.size()) lists_.resize(std::size_t(owner) + 1);
+    make_room(lists_, std::size_t(owner) + 1);
     List& list = lists_[owner];
     if (list.first != none) ends_[list.first].previous = end;
     ends_[end].next = list.first;

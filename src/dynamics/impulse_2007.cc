@@ -390,6 +390,8 @@ void move(const StepView& in, SolverBodies& on, std::vector<Bench>& benches) {
 
 }
 
+void Impulse2007Solver::reserve(std::uint32_t slots) { memory_->bodies.reserve(slots); }
+
 void Impulse2007Solver::advance(const StepView& in, StepOutcome& out) {
   SolverBodies& on = memory_->bodies;
   std::vector<Bench>& benches = memory_->benches;

@@ -23,6 +23,8 @@ class Impulse2007Solver {
   Impulse2007Solver(Impulse2007Solver&&) noexcept;
   Impulse2007Solver& operator=(Impulse2007Solver&&) noexcept;
   ~Impulse2007Solver();
+  // Makes room for so many bodies, so that the first sub-step costs nothing more.
+  void reserve(std::uint32_t slots);
   // Advances bodies and impulses by one sub-step; adds to the outcome.
   void advance(const StepView&, StepOutcome&);
 

@@ -7,6 +7,8 @@
 
 #include <sudar/base.h>
 
+#include "base/room.h"
+
 namespace sudar::inline SUDAR_PRECISION {
 
 // Union–find over body slots. The root of an island is its smallest slot, whatever the order of the unions, so the order
@@ -15,7 +17,7 @@ class Unions {
  public:
   // Makes each of `bodies` an island of its own; others mean nothing until they are given here.
   void reset(std::uint32_t slots, std::span<const std::uint32_t> bodies) {
-    if (parent_.size() < slots) parent_.resize(slots);
+    make_room(parent_, slots);
     for (const std::uint32_t i : bodies) parent_[i] = i;
   }
   std::uint32_t root(std::uint32_t i) {

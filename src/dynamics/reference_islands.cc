@@ -131,6 +131,7 @@ void ReferenceIslands::store_impulses(const StepView& in) {
 }
 
 bool ReferenceIslands::advance(const StepView& in, StepOutcome& out) {
+  solver_.reserve(in.bodies.size());
   gather(in);
   if (islands_.empty()) return false;
   StepOutcome some;

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "base/room.h"
 #include "dynamics/contacts.h"
 #include "dynamics/joints.h"
 
@@ -18,7 +19,7 @@ class HeldByFaces {
  public:
   // Before the contacts and joints of a sub-step: who may be asked about.
   void reset(std::uint32_t slots, std::span<const std::uint32_t> awake) {
-    if (pressed_.size() < slots) pressed_.resize(slots), loose_.resize(slots);
+    make_room(pressed_, slots), make_room(loose_, slots);
     for (const std::uint32_t i : awake) pressed_[i] = loose_[i] = 0;
   }
   void contact(std::uint32_t a, std::uint32_t b, const ContactImpulse& impulse, bool slipping);

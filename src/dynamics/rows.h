@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/room.h"
 #include "math/lanes.h"
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -39,11 +40,14 @@ class SolverBodies {
  public:
   static constexpr std::uint32_t still = 0;
 
+  void reserve(std::uint32_t slots) {
+    make_room(number_, slots);
+  }
   void reset(std::span<const std::uint32_t> awake, std::span<const std::uint32_t> kinematic, std::uint32_t slots) {
     slot_.assign(1, no_body);
     slot_.insert(slot_.end(), awake.begin(), awake.end());
     slot_.insert(slot_.end(), kinematic.begin(), kinematic.end());
-    if (number_.size() < slots) number_.resize(slots);
+    reserve(slots);
     for (std::uint32_t n = 1; n < size(); ++n) number_[slot_[n]] = n;
     bodies_.resize(slot_.size());
     bodies_[still] = {};

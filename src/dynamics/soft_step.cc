@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/room.h"
 #include "dynamics/integrate.h"
 #include "dynamics/reference_islands.h"
 #include "dynamics/soft_contacts.h"
@@ -211,7 +212,7 @@ void SoftStepSolver::advance(const StepView& in, StepOutcome& out) {
   ReferenceIslands::watch_crowds(in);
   m.plan.make(in);
   const bool carried = m.reference.advance(in, out);
-  m.number_of.resize(in.bodies.size());
+  make_room(m.number_of, in.bodies.size());
   for (std::uint32_t k = 0; k < in.kinematic.size(); ++k) m.number_of[in.kinematic[k]] = k + 1;
   for (const auto& [first, end] : m.plan.batches) {
     auto next = std::uint32_t(in.kinematic.size()) + 1;

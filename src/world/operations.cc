@@ -60,6 +60,7 @@ PlaneProxy plane_of(const World::Impl& w, std::uint32_t s) {
 }
 
 void World::Impl::enter(std::uint32_t s) {
+  pairs.reserve(s + 1);
   if (s == proxies.size()) proxies.emplace_back(), shape_poses.emplace_back(), geometries.emplace_back(), way.push_back(0);
   geometries[s] = &geometry_of(s);
   if (is_hollow(geometries[s]->kind)) insert(hollows, s);

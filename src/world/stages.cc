@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/float_state.h"
+#include "base/room.h"
 #include "base/text.h"
 #include "base/timer.h"
 #include "dynamics/rest.h"
@@ -279,7 +280,7 @@ void list_islands(World::Impl& w, std::span<const std::uint32_t> awake, std::spa
                   std::span<const std::uint32_t> near_rows, std::span<const std::uint32_t> joints) {
   const Bodies& b = w.bodies;
   w.islands.clear();
-  w.island_of.resize(b.size());
+  make_room(w.island_of, b.size());
   for (const std::uint32_t i : awake) {
     if (w.unions.root(i) != i) continue;
     w.island_of[i] = std::uint32_t(w.islands.size());

@@ -1,5 +1,6 @@
 #include "collision/broad/tree.h"
 
+#include "base/room.h"
 #include "collision/broad/search.h"
 
 namespace sudar::inline SUDAR_PRECISION {
@@ -18,7 +19,7 @@ void Tree::follow(std::uint32_t i, const Proxy& proxy) {
 }
 
 void Tree::update(std::span<const Proxy> proxies, std::span<const std::uint32_t> changed, std::vector<ProxyPair>& out) {
-  places_.resize(max(places_.size(), proxies.size()));
+  make_room(places_, proxies.size());
   for (const std::uint32_t i : changed) follow(i, proxies[i]);
   for (BoxTree& tree : trees_) tree.settle();
   search_pairs(proxies, changed, marks_, out, [&](std::uint32_t i, auto visit) {

@@ -57,6 +57,7 @@ class PairTable {
  public:
   static constexpr std::uint32_t none = 0xffffffffu;
 
+  void reserve(std::uint32_t proxies) { links_.reserve(proxies); }
   std::uint32_t find(const ProxyPair&, std::uint32_t part = no_part) const;  // none: there is no such pair
   std::uint32_t add(const ProxyPair&, std::uint32_t part = no_part);         // there is none yet
   // Its number is not used again before the next settle().
