@@ -31,13 +31,24 @@ std::variant<Defs...> named(std::variant<Defs...> def, const std::vector<Body>& 
   return def;
 }
 
-template <class Def, class F>
-auto made(const Item<Def>& item, F make) {
+auto made(const auto& item, auto make) {
   try {
     return make(item.def);
   } catch (const Error& e) {
     throw FileError(item.from, item.name.empty() ? e.what() : "\"" + item.name + "\": " + e.what());
   }
+}
+
+Joint join(World& w, const JointDef& def, const std::optional<JointItem::Place>& place,
+           const std::vector<Body>& bodies) {
+  if (!place) return w.join(def);
+  if (place->body.index >= bodies.size()) throw Error("made_at", "names a body that is not there");
+  const Body body = bodies[place->body.index];
+  const Pose now = w[body].pose();
+  w.place(body, place->at);
+  const Joint joint = w.join(def);
+  w.place(body, now);
+  return joint;
 }
 
 class ModelScenario : public Scenario {
@@ -72,8 +83,9 @@ Built build(const Model& model, World& w) {
   for (const auto& item : model.bodies) {
     built.bodies.push_back(made(item, [&](const BodyDef& d) { return w.add(d); }));
   }
-  for (const auto& item : model.joints) {
-    built.joints.push_back(made(item, [&](const JointDef& d) { return w.join(named(d, built.bodies)); }));
+  for (const JointItem& item : model.joints) {
+    built.joints.push_back(
+        made(item, [&](const JointDef& d) { return join(w, named(d, built.bodies), item.made_at, built.bodies); }));
   }
   for (const auto& item : model.forces) {
     made(item, [&](const Force& d) { return w.add(named(d, built.bodies)); });

@@ -1,8 +1,11 @@
-// Chooses the reader by the file's name.
+// Chooses the reader, or the writer, by the file's name.
 #include <algorithm>
 #include <new>
 
 #include "io/format.h"
+#include "io/gltf/read.h"
+#include "io/gltf/write.h"
+#include "io/mesh/read.h"
 #include "io/mjcf/mjcf.h"
 #include "io/urdf.h"
 
@@ -11,11 +14,10 @@ namespace sudar::inline SUDAR_PRECISION::io {
 namespace {
 
 // A line for each ending.
-constexpr std::array formats{
-    Format{".xml", "MJCF", read_mjcf},
-    Format{".mjcf", "MJCF", read_mjcf},
-    Format{".urdf", "URDF", read_urdf},
-    Format{".xacro", "xacro", read_xacro},
+constexpr Format formats[] = {
+    {".gltf", "glTF", read_gltf}, {".glb", "glTF", read_gltf},  {".xml", "MJCF", read_mjcf},
+    {".mjcf", "MJCF", read_mjcf}, {".urdf", "URDF", read_urdf}, {".xacro", "xacro", read_xacro},
+    {".obj", "OBJ", read_mesh},   {".stl", "STL", read_mesh},   {".ply", "PLY", read_mesh},
 };
 
 std::string ending_of(const std::filesystem::path& path) {
@@ -25,21 +27,20 @@ std::string ending_of(const std::filesystem::path& path) {
 }
 
 const Format* format_of(const std::filesystem::path& path) {
-  const auto it =
-      std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return ending_of(path) == f.ending; });
-  return it == formats.end() ? nullptr : &*it;
+  const std::string ending = ending_of(path);
+  const auto it = std::ranges::find_if(formats, [&](const Format& f) { return ending == f.ending; });
+  return it == std::end(formats) ? nullptr : &*it;
 }
 
-std::string list_of_endings() {
-  std::string list;
-  for (const Format& f : formats) list += (list.empty() ? "" : ", ") + std::string(f.ending);
-  return list;
-}
-
-// A model can be built, or the file is refused.
-void expect_buildable(const Model& model) {
+// Builds the model, so that one that cannot be built is refused. What may overlap in peace is made small beside the
+// smallest body that falls: the usual centimetre would swallow a marble.
+void try_out(Model& model) {
   World trial(model.config);
-  build(model, trial);
+  Real& slop = model.config.impulse_2007.slop;
+  for (const Body body : build(model, trial).bodies) {
+    constexpr Real share = Real(0.02);
+    if (trial[body].motion() == Motion::dynamic) slop = min(slop, share * trial[body].radius());
+  }
 }
 
 }
@@ -53,13 +54,13 @@ Reading read(const std::filesystem::path& path, const ReadOptions& options) {
   };
   const Format* format = format_of(path);
   if (format == nullptr) {
-    refuse({path.string()}, "the name does not end with one of " + list_of_endings());
+    refuse({path.string()}, "the name does not end with one of " + list(readable_endings()));
     return result;
   }
   try {
     source.emplace(path, options);
     Model model = format->read(*source);
-    if (!source->refused()) expect_buildable(model);
+    if (!source->refused()) try_out(model);
     result.findings = source->take_findings();
     if (!source->refused()) result.made = std::move(model);
   } catch (const FileError& e) { refuse(e.at, e.message); } catch (const Error& e) {
@@ -82,6 +83,24 @@ std::vector<std::string> readable_endings() {
   std::vector<std::string> endings;
   for (const Format& f : formats) endings.emplace_back(f.ending);
   return endings;
+}
+
+Bytes write(const Model& model, const std::filesystem::path& path, std::vector<Finding>& lost) {
+  if (!is_writable(path)) throw Error(path.string(), "the name does not end with one of " + list(writable_endings()));
+  return write_gltf(model, ending_of(path) == ".glb", lost);
+}
+
+bool is_writable(const std::filesystem::path& path) {
+  const std::vector<std::string> endings = writable_endings();
+  return std::ranges::find(endings, ending_of(path)) != endings.end();
+}
+
+std::vector<std::string> writable_endings() { return {".glb", ".gltf"}; }
+
+std::string list(const std::vector<std::string>& endings) {
+  std::string text;
+  for (const std::string& e : endings) text += (text.empty() ? "" : ", ") + e;
+  return text;
 }
 
 }

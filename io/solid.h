@@ -2,21 +2,18 @@
 #pragma once
 
 #include "io/fields.h"
+#include "io/surface.h"
 
 namespace sudar::inline SUDAR_PRECISION::io {
 
-struct Soup {
-  std::vector<Vec3d> vertices{};
-  std::vector<std::uint32_t> triangles{};  // three vertices each, counter-clockwise from outside
-};
 // Of the file of that name, seen from another. Throws Error where it cannot be read.
-Soup read_surface(Source&, const std::string& name, const std::filesystem::path& from);
+Surface read_surface(Source&, const std::string& name, const std::filesystem::path& from);
 
 struct Solid {
   Shape shape{};  // none: there is no hull
   MassProperties unit{};
 };
 // With a remark where the hull is not what the surface is, or there is none.
-Solid solid_of(const Soup&, const Origin&, Remarks&);
+Solid solid_of(const Surface&, const Origin&, Remarks&);
 
 }

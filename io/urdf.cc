@@ -169,7 +169,7 @@ class UrdfReader {
     if (name.empty()) f.fail("filename", "is missing");
     try {
       if (!surfaces_.contains(name)) surfaces_[name] = read_surface(source_, located(name), source_.file());
-      Soup scaled = surfaces_.at(name);
+      Surface scaled = surfaces_.at(name);
       for (Vec3d& v : scaled.vertices) v = scale(v, factors);
       if (factors.x * factors.y * factors.z < 0) {  // a mirror turns the surface inside out
         for (std::size_t i = 0; i + 2 < scaled.triangles.size(); i += 3)
@@ -229,7 +229,7 @@ class UrdfReader {
   std::map<std::string, std::size_t> numbers_;  // by name
   std::vector<const XmlElement*> joints_;
   std::set<std::string> joint_names_;
-  std::map<std::string, Soup> surfaces_;
+  std::map<std::string, Surface> surfaces_;
 };
 
 void UrdfReader::joint(const XmlElement& e) {

@@ -3,6 +3,8 @@
 // Error.
 #pragma once
 
+#include <sudar/io.h>
+
 #include <CLI/App.hpp>
 
 #include <functional>
@@ -21,6 +23,10 @@ void add_replay(CLI::App&, Action& chosen);
 void add_diff(CLI::App&, Action& chosen);
 void add_bench(CLI::App&, Action& chosen);
 void add_verify(CLI::App&, Action& chosen);
+// --allow and --unit, for sub-commands that open files.
+void add_reading(CLI::App&, io::ReadOptions&);
+void add_lint(CLI::App&, Action& chosen, io::ReadOptions&);
+void add_convert(CLI::App&, Action& chosen, io::ReadOptions&);
 
 // Without a sub-command and for that reason without a window: runs the scenario, or all of them, and draws a picture of
 // each into out/.

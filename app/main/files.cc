@@ -81,8 +81,9 @@ std::string unused_name(const std::string& stem, const std::string& extension) {
   std::error_code error;
   fs::create_directories("out", error);
   if (error) throw Error("out", "the folder cannot be made (" + error.message() + ")");
-  std::string name = "out/" + stem + extension;
-  for (int i = 2; fs::exists(name, error); ++i) name = "out/" + stem + "-" + std::to_string(i) + extension;
+  const std::string base = "out/" + fs::path(stem).filename().string();  // of an opened file's path, too
+  std::string name = base + extension;
+  for (int i = 2; fs::exists(name, error); ++i) name = base + "-" + std::to_string(i) + extension;
   return name;
 }
 

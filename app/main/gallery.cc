@@ -36,7 +36,7 @@ Row run_and_draw(const ScenarioEntry& entry, Offscreen& offscreen, const std::fu
   Session session(entry);
   const std::unique_ptr<Playback> p = play(session);
   Meter meter(session.world());
-  const std::string file = std::string(folder) + "/" + entry.name + ".png";
+  const std::string file = std::string(folder) + "/" + std::filesystem::path(entry.name).filename().string() + ".png";
   const auto run_to = [&](double time) {
     while (session.world().time() < time - 1e-9) {
       p->step();

@@ -67,7 +67,7 @@ int start(int argc, char** argv) {
   app.add_option("--scenarios", folder, "folder of the scenario plugins; else $SUDAR_SCENARIOS, or those that came with the program");
   app.add_option(
       "scene", window.scene,
-      "without a sub-command: open the window on this scenario; without a display draw it, or all, into out/");
+      "without a sub-command: open the window on this scenario or file; without a display draw it, or all, into out/");
   app.add_option("--size", window.size, "WIDTHxHEIGHT of the window")->capture_default_str()->each([](const std::string& s) { parse_size(s); });
   app.add_option("--quality", window.quality, "of the window's picture; auto: as the machine can")
       ->check(CLI::IsMember({"auto", "plain", "fine"}));
@@ -80,11 +80,19 @@ int start(int argc, char** argv) {
   add_diff(app, chosen);
   add_bench(app, chosen);
   add_verify(app, chosen);
+  io::ReadOptions reading;
+  add_lint(app, chosen, reading);
+  add_convert(app, chosen, reading);
+  for (CLI::App* opens : {&app, app.get_subcommand("run"), app.get_subcommand("render")}) add_reading(*opens, reading);
   expect_no_empty_value(argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) { return app.exit(e) == 0 ? 0 : bad_usage; }
-  const Plugins plugins(folder);
+  io::FileScenes files(reading, [](const io::Finding& f) {  // before what it opens for
+    if (f.severity == io::Severity::warning) std::fprintf(stderr, "sudar: %s\n", io::text(f).c_str());
+  });
+  Plugins plugins(folder);
+  plugins.open_with([&files](std::string_view name) { return files.open(name); });
   for (const std::string& line : plugins.refused()) std::fprintf(stderr, "sudar: %s\n", line.c_str());
   if (chosen) return chosen(plugins.catalogue());
   std::string reason;

@@ -1,5 +1,7 @@
 #include "main/playback.h"
 
+#include <sudar/io.h>
+
 #include <filesystem>
 
 #include "main/files.h"
@@ -73,7 +75,8 @@ class Recorded : public Playback {
 std::unique_ptr<Playback> open_playback(const SceneOptions& o, const Catalogue& catalogue) {
   const Settings settings = o.settings();
   std::error_code error;
-  const bool path = o.scene.find('/') != std::string::npos || std::filesystem::is_regular_file(o.scene, error);
+  const bool path = !io::is_readable(o.scene) && (o.scene.find('/') != std::string::npos ||
+                                                  std::filesystem::is_regular_file(o.scene, error));
   if (path) {
     if (!settings.set.empty() || !settings.config.empty() || !o.keys.empty()) {
       throw Error(o.scene, "a recording has its parameters, settings and keys already");

@@ -19,6 +19,7 @@ class Plugins {
 
   // Every session made from it must be gone before this object is.
   const Catalogue& catalogue() const { return catalogue_; }
+  void open_with(Catalogue::Opener opener) { catalogue_.open_with(std::move(opener)); }  // what is no scenario
   const std::vector<std::string>& refused() const { return refused_; }  // a line for each
 
  private:

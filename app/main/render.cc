@@ -119,7 +119,7 @@ int render(const RenderOptions& o, const Catalogue& catalogue) {
 void add_render(CLI::App& app, Action& chosen) {
   CLI::App* sub = app.add_subcommand("render", "draw a picture or a movie of a scenario or a recording");
   const auto o = std::make_shared<RenderOptions>();
-  sub->add_option("what", o->scene.scene, "a name from sudar list, or a file written by sudar run --record")
+  sub->add_option("what", o->scene.scene, "a name from sudar list, a file (docs/files.md), or one written by sudar run --record")
       ->required();
   sub->add_option("-o,--output", o->out, "FILE.png, FILE.mp4 or FILE.webm")->required();
   add_number(*sub, "--at", o->at, simulated_time, "time of the picture, or of the movie's start, s");

@@ -141,9 +141,9 @@ int run(const RunOptions& o, const Catalogue& catalogue) {
 }
 
 void add_run(CLI::App& app, Action& chosen) {
-  CLI::App* sub = app.add_subcommand("run", "run a scenario without a window; exit 1 if a check fails");
+  CLI::App* sub = app.add_subcommand("run", "run a scenario or a file without a window; exit 1 if a check fails");
   const auto o = std::make_shared<RunOptions>();
-  sub->add_option("scene", o->scene.scene, "a name from sudar list")->required();
+  sub->add_option("scene", o->scene.scene, "a name from sudar list, or a file (docs/files.md)")->required();
   o->scene.add_to(*sub);
   add_whole(*sub, "--steps", o->steps, 0, most_steps, "instead of --seconds")->excludes("--seconds");
   sub->add_option("--csv", o->csv, "write time, energies, positions, velocities and sensors of every step to FILE");

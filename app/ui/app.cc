@@ -1,6 +1,7 @@
 #include "ui/app.h"
 
 #include <epoxy/gl.h>
+#include <sudar/io.h>
 
 #include <algorithm>
 
@@ -118,8 +119,19 @@ class App {
     return scene;
   }
 
+  // Files of other programs, and saved runs.
+  void open_dropped() {
+    for (const std::string& path : window_.take_dropped()) {
+      try {
+        if (io::is_readable(path)) controls_.start(controls_.catalogue().find(path));
+        else simulation_.open(controls_.catalogue(), path);
+      } catch (const Error& e) { simulation_.say(e.what()); }
+    }
+  }
+
   // What was asked of the program itself.
   void serve() {
+    open_dropped();
     if (std::exchange(controls_.wants_fullscreen, false)) window_.toggle_fullscreen();
     if (canvas_ && controls_.moment()) {
       const std::string scene = controls_.moment()->entry->name;

@@ -71,6 +71,9 @@ Window::Window(int width, int height, const std::string& title) {
   glfwSetScrollCallback(window_, [](GLFWwindow* w, double, double clicks) {
     of(w).events_.push_back({.kind = InputEvent::Kind::wheel, .y = clicks});
   });
+  glfwSetDropCallback(window_, [](GLFWwindow* w, int count, const char** paths) {
+    of(w).dropped_.insert(of(w).dropped_.end(), paths, paths + count);
+  });
   glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) {
     of(w).events_.push_back({.kind = InputEvent::Kind::character, .code = int(code)});
   });

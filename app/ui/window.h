@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "ui/input.h"
@@ -17,6 +18,7 @@ class Window {
   ~Window();
   Window(const Window&) = delete;
 
+  std::vector<std::string> take_dropped() { return std::exchange(dropped_, {}); }  // names of files dropped since
   std::vector<InputEvent> wait(double seconds);  // for the next event, at most so long
   void target() const;                           // what is drawn from now on goes into the window
   void show();                                   // what was drawn
@@ -35,6 +37,7 @@ class Window {
   double x_ = 0, y_ = 0;  // of the mouse, as its last event told: asking for it now could be ahead of a click
   int windowed_[4] = {};  // place and size before it filled the screen
   std::vector<InputEvent> events_;
+  std::vector<std::string> dropped_;
 };
 
 }

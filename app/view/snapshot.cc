@@ -109,8 +109,8 @@ void add_forces(Scene& scene, const World& world) {
   for (const Body b : world.bodies()) {
     const BodyView view = world[b];
     if (view.motion() != Motion::dynamic) continue;
-    add(ForceMark::Kind::weight, view.center(), gravity * view.mass());
-    weight += float(length(gravity) * view.mass()), size += size_of(world, b), ++bodies;
+    add(ForceMark::Kind::weight, view.center(), gravity * (view.mass() * view.gravity_factor()));
+    weight += float(length(gravity) * view.mass() * std::abs(view.gravity_factor())), size += size_of(world, b), ++bodies;
   }
   const Config& config = world.config();
   const Real sub_step = Real(config.dt * double(config.time_factor) / config.substeps);

@@ -123,6 +123,7 @@ struct BodyDef {
   Vec3 surface_velocity{};         // of the surface along itself while the body stands, like a belt's; m/s, body's axes
   Filter filter{};
   Motion motion = Motion::dynamic;
+  Real gravity_factor = 1;         // times what Gravity does to it: 0 for what floats, negative for what rises
   bool sleeps = true;              // may be put to sleep where the world sleeps
   std::string name{};
 };
@@ -142,6 +143,7 @@ void describe(V& v, T& d) {
   v("surface_velocity", d.surface_velocity, any);
   v("filter", d.filter, any);
   v("motion", d.motion, any);
+  v("gravity_factor", d.gravity_factor, Range{-1e6, 1e6});
   v("sleeps", d.sleeps, any);
   v("name", d.name, any);
 }
@@ -163,7 +165,7 @@ enum class DriveMode : std::uint8_t {
   off,
   speed,   // `target` is a speed, m/s or rad/s
   servo,   // `target` is a coordinate, m or rad; approached as fast as the force lets it stop there
-  spring,  // `target` is a coordinate; pulled there by stiffness · (target − coordinate) − damping · rate, implicitly
+  spring,  // `target` is a coordinate; pulled there by stiffness · (target − coordinate) + damping · (rate − its), implicitly
 };
 inline const char* const* names(DriveMode) {
   static constexpr const char* n[] = {"off", "speed", "servo", "spring", nullptr};
@@ -175,6 +177,7 @@ struct Drive {
   Real force = 0;
   Real max_speed = std::numeric_limits<Real>::infinity();  // of a servo, m/s or rad/s
   Real stiffness = 0, damping = 0;                         // of a spring, N/m and N s/m, or N m/rad and N m s/rad
+  Real rate = 0;                                           // of a spring, at which damping does nothing: m/s or rad/s
 };
 template <class V, Like<Drive> T>
 void describe(V& v, T& d) {
@@ -183,6 +186,7 @@ void describe(V& v, T& d) {
   v("force", d.force, or_infinite);
   v("max_speed", d.max_speed, or_infinite);
   v("stiffness", d.stiffness, not_negative), v("damping", d.damping, not_negative);
+  v("rate", d.rate, any);
 }
 
 struct Bar {  // keeps the distance between two points: thesis (3.22)

@@ -8,6 +8,8 @@
 #include <sudar/scenario.h>
 
 #include <filesystem>
+#include <functional>
+#include <mutex>
 
 namespace sudar::inline SUDAR_PRECISION::io {
 
@@ -65,13 +67,26 @@ void describe(V& v, T& d) {
   v("a", d.a, any), v("b", d.b, any), v("material", d.material, any);
 }
 
+// A joint, and where one of its bodies has to be while it is made, if that is not where it is: a joint's coordinate is
+// 0 where it is made, and its points and axes are those that meet there.
+struct JointItem {
+  JointDef def{};
+  Origin from{};
+  std::string name{};
+  struct Place {
+    Body body{};
+    Pose at{};
+  };
+  std::optional<Place> made_at{};
+};
+
 // Plain data: the definitions of which a world is made. Where one of them names a body, body_number(i) stands for
 // bodies[i] and a null body for the world.
 struct Model {
   std::string name{};  // of the file's scene; may be empty
   Config config{};
   std::vector<Item<BodyDef>> bodies{};
-  std::vector<Item<JointDef>> joints{};
+  std::vector<JointItem> joints{};
   std::vector<Item<Force>> forces{};  // Gravity included
   std::vector<Item<PairMaterial>> pair_materials{};
   std::optional<Camera> camera{};
@@ -118,6 +133,13 @@ Reading read(const std::filesystem::path&, const ReadOptions& = {});
 bool is_readable(const std::filesystem::path&);
 std::vector<std::string> readable_endings();
 
+// What a file of that name would hold, by its ending; what the format has no place for is added to `lost`. Throws
+// Error: no format has that ending.
+Bytes write(const Model&, const std::filesystem::path&, std::vector<Finding>& lost);
+bool is_writable(const std::filesystem::path&);
+std::vector<std::string> writable_endings();
+std::string list(const std::vector<std::string>&);  // ".glb, .gltf"
+
 // --- running ---
 
 // A model as a scenario with that name, for Catalogue, Session and whatever runs those; must outlive them.
@@ -131,6 +153,27 @@ class ModelEntry : public ScenarioEntry {
  private:
   std::string name_, place_, about_;
   Model model_;
+};
+
+// Files as if they were scenarios, for Catalogue::open_with(). Owns what it opened for as long as it lives: sessions made of
+// that must be gone before. Opens from any thread.
+class FileScenes {
+ public:
+  // `tell` hears every finding when a file is read.
+  FileScenes(ReadOptions options, std::function<void(const Finding&)> tell)
+      : options_(std::move(options)), tell_(std::move(tell)) {}
+  // Null: no file that can be read is called so. Reads it anew where it has changed. Throws FileError where it is refused.
+  const ScenarioEntry* open(std::string_view name);
+
+ private:
+  struct Opened {
+    std::filesystem::file_time_type written;
+    std::unique_ptr<ModelEntry> entry;
+  };
+  ReadOptions options_;
+  std::function<void(const Finding&)> tell_;
+  std::mutex mutex_;
+  std::vector<Opened> opened_;  // older states of a file stay, for those who run them
 };
 
 }

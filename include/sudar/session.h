@@ -6,6 +6,8 @@
 
 #include <sudar/scenario.h>
 
+#include <functional>
+
 namespace sudar::inline SUDAR_PRECISION {
 
 // A new instance; throws Error where the plugin makes none.
@@ -19,8 +21,13 @@ class Catalogue {
   const std::vector<const ScenarioEntry*>& all() const { return entries_; }  // by place
   const ScenarioEntry& find(std::string_view name) const;     // throws Error naming one that is near
 
+  // Who may know scenes that are not listed, files say: asked before names are compared; null: knows none of that name.
+  using Opener = std::function<const ScenarioEntry*(std::string_view name)>;
+  void open_with(Opener opener) { opener_ = std::move(opener); }
+
  private:
   std::vector<const ScenarioEntry*> entries_;
+  Opener opener_;
 };
 
 // Sets one described field by its path, e.g. "impulse_2007.contact_passes" to "20". Throws Error naming the field, the

@@ -129,6 +129,7 @@ class BodyView {
   Real radius() const;                   // of a ball about the centre of mass that holds all of them, m
   const std::string& name() const;
   Motion motion() const;
+  Real gravity_factor() const;
   bool asleep() const;
   bool quarantined() const;
 

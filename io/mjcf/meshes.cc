@@ -31,7 +31,7 @@ Solid MjcfMeshes::make(const XmlElement& e) {
   const auto turn = f.numbers("refquat", 4, 4);
   Frame reference{f.vector("refpos"), {}};
   if (!turn.empty()) reference.q = normalize(Quatd{turn[1], turn[2], turn[3], turn[0]});
-  Soup surface;
+  Surface surface;
   const std::string file = f.text("file");
   const auto numbers = f.numbers("vertex", 12, Fields::unbounded);
   try {

@@ -47,6 +47,7 @@ std::uint32_t Bodies::add(const BodyDef& def, std::span<const ShapeDef> parts, s
   if (i == name.size()) name.emplace_back(); else name[i] = type{};
 #include "dynamics/fields.def"
   motion[i] = def.motion;
+  gravity_factor[i] = def.gravity_factor;
   may_sleep[i] = def.sleeps ? 1 : 0;
   first_shape[i] = no_shape;
   std::vector<const Geometry*> geometries;

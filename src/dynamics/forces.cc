@@ -42,7 +42,7 @@ void evaluate(const Forces& forces, const Bodies& bodies, std::span<const std::u
   const Vec3 g = gravity(forces);
   for (std::size_t k = 0; k < which.size(); ++k) {
     const std::uint32_t i = which[k];
-    out[k] = {g * bodies.mass[i] + bodies.force[i], bodies.torque[i]};
+    out[k] = {g * (bodies.mass[i] * bodies.gravity_factor[i]) + bodies.force[i], bodies.torque[i]};
   }
   for_each<NBody>(forces, [&](const NBody& f) {
     for (std::size_t k = 0; k < which.size(); ++k) out[k].force += attraction(f, bodies, which[k]);
@@ -97,7 +97,7 @@ double potential_energy(const Forces& forces, const Bodies& bodies) {
     if (!bodies.slots.used(i) || !bodies.dynamic(i)) continue;
     const Pos& p = bodies.position[i];
     const double m = double(bodies.mass[i]);
-    sum -= m * (double(g.x) * p.x + double(g.y) * p.y + double(g.z) * p.z);
+    sum -= m * double(bodies.gravity_factor[i]) * (double(g.x) * p.x + double(g.y) * p.y + double(g.z) * p.z);
     for_each<NBody>(forces, [&](const NBody& law) {
       for (std::uint32_t j = 0; j < bodies.size(); ++j) {
         if (j == i || !bodies.slots.used(j) || (bodies.dynamic(j) && j < i)) continue;  // each pair once

@@ -88,10 +88,11 @@ void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, co
     case DriveMode::speed: drive_.target = drive->target; break;
     case DriveMode::servo: break;  // see drives.h
     case DriveMode::spring: {
-      // λ = h (k (target − x − h u) − c u), solved for u.
+      // λ = h (k (target − x − h u) + c (rate − u)), solved for u.
       const Real stiff = h * drive->stiffness, resistance = h * (stiff + drive->damping);
       drive_.softness = resistance > 0 ? 1 / resistance : Real(0);
-      drive_.target = drive_.softness * stiff * (drive->target - coordinate);
+      drive_.target = drive_.softness * stiff * (drive->target - coordinate) +
+                      drive_.softness * (h * drive->damping * drive->rate);
       drive_.present = resistance > 0;
       break;
     }

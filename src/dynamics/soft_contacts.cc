@@ -145,7 +145,7 @@ class Preparation : public SoftBatch {
       const std::uint32_t slot = w_.slots[i];
       const Pos& p = in_.bodies.position[slot];
       w_.radii[i] = in_.bodies.radius[slot];
-      w_.weights[i] = in_.bodies.mass[slot] * g * h_;
+      w_.weights[i] = in_.bodies.mass[slot] * max(Real(0), in_.bodies.gravity_factor[slot]) * g * h_;
       w_.heights[i] = double(up.x) * p.x + double(up.y) * p.y + double(up.z) * p.z;
     }
     w_.support_loads.solve(w_.supports, w_.movers, w_.weights, w_.heights, w_.radii, up);

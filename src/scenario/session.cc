@@ -72,6 +72,7 @@ void Catalogue::add(const ScenarioEntry* entry) {
 }
 
 const ScenarioEntry& Catalogue::find(std::string_view name) const {
+  if (const ScenarioEntry* opened = opener_ ? opener_(name) : nullptr) return *opened;
   const ScenarioEntry* nearest = nullptr;
   for (const ScenarioEntry* e : entries_) {
     if (name == e->name) return *e;

@@ -21,14 +21,15 @@ struct Load {
   double largest_moment = 0, inverse_smallest_moment = 0;  // kg m²
   double speed = 0, spin = 0;                          // m/s, rad/s
   double force = 0, torque = 0;                        // N, N m; without gravity
+  double gravity_factor = 0;
 
   // Momentum and energy, over m or kg m².
   static bool motion_fits(double inertia, double speed) {
     return speed <= greatest && inertia * speed <= greatest_product && inertia * speed * speed <= greatest_product;
   }
   bool way_fits(const Surroundings& around) const {
-    const double fastest = speed + (force * inverse_mass + (mass > 0 ? around.gravity : 0)) * around.step;
-    return mass * around.gravity + force <= greatest_product && motion_fits(mass, fastest) &&
+    const double fastest = speed + (force * inverse_mass + gravity_factor * around.gravity) * around.step;
+    return mass * gravity_factor * around.gravity + force <= greatest_product && motion_fits(mass, fastest) &&
            fastest * around.step <= greatest;
   }
   // A turn is found by a determinant, in which half of each part of it stands to the third power (dynamics/rotation.h).
@@ -52,6 +53,7 @@ Load load_of(const Bodies& b, std::uint32_t i) {
   load.largest_moment = double(max_component(b.inertia[i]));
   load.inverse_smallest_moment = double(max_component(b.inverse_inertia[i]));
   load.force = size(b.force[i]), load.torque = size(b.torque[i]);
+  load.gravity_factor = abs(double(b.gravity_factor[i]));
   return load;
 }
 
@@ -70,7 +72,7 @@ struct MassFields {
 };
 
 // A body's load without its motion.
-Load check_mass(const MassSum& sum, Motion motion, const MassFields& from, const Surroundings& around) {
+Load check_mass(const MassSum& sum, Motion motion, double gravity_factor, const MassFields& from, const Surroundings& around) {
   const auto fits = [](double x) { return std::isfinite(Real(x)) && Real(x) > 0 && std::isfinite(1 / Real(x)); };
   const double mass = sum.density * sum.unit.volume;
   if (!fits(mass)) throw Error(from.mass, "makes a mass of " + text(mass) + " kg, which the precision cannot hold");
@@ -86,10 +88,10 @@ Load check_mass(const MassSum& sum, Motion motion, const MassFields& from, const
   }
   Load load;
   if (motion != Motion::dynamic) return load;
-  load.mass = mass, load.inverse_mass = 1 / mass;
+  load.mass = mass, load.inverse_mass = 1 / mass, load.gravity_factor = abs(gravity_factor);
   load.largest_moment = largest;
   load.inverse_smallest_moment = 1 / min(min(moments.x, moments.y), moments.z);
-  if (load.mass * max(1.0, around.gravity) > greatest_product) {
+  if (load.mass * max(1.0, load.gravity_factor * around.gravity) > greatest_product) {
     throw Error(from.mass, "makes a mass of " + text(load.mass) + " kg, whose weight the precision cannot hold");
   }
   return load;
@@ -114,13 +116,13 @@ void check_body(const BodyDef& def, std::span<const ShapeDef> shapes, const Surr
     return;
   }
   const char* of_inertia = def.inertia ? "inertia" : def.shape ? "shape" : "shapes";
-  Load load = check_mass(*sum, def.motion, {def.mass > 0 ? "mass" : "density", of_inertia, def.inertia.has_value()}, around);
+  Load load = check_mass(*sum, def.motion, double(def.gravity_factor), {def.mass > 0 ? "mass" : "density", of_inertia, def.inertia.has_value()}, around);
   load.speed = size(def.velocity), load.spin = size(def.spin);
   check_velocity(load, around);
 }
 
 void check_shape(const Bodies& b, std::uint32_t i, const MassSum& sum, const Surroundings& around) {
-  Load load = check_mass(sum, b.motion[i], {"shape", "shape"}, around);
+  Load load = check_mass(sum, b.motion[i], double(b.gravity_factor[i]), {"shape", "shape"}, around);
   if (b.motion[i] != Motion::dynamic) return;
   const Vec3d shift = sum.unit.center - convert<double>(inverse(b.frame[i]).p);  // of the centre, in the given frame
   load.speed = size(b.velocity[i]) + size(b.spin[i]) * length(shift);

@@ -147,6 +147,7 @@ const Vec3& BodyView::surface_velocity() const { return first().surface_velocity
 Real BodyView::radius() const { return world_->impl().bodies.radius[index_]; }
 const std::string& BodyView::name() const { return world_->impl().body_names[index_]; }
 Motion BodyView::motion() const { return world_->impl().bodies.motion[index_]; }
+Real BodyView::gravity_factor() const { return world_->impl().bodies.gravity_factor[index_]; }
 bool BodyView::asleep() const { return world_->impl().bodies.asleep[index_] != 0; }
 bool BodyView::quarantined() const { return world_->impl().bodies.quarantined[index_] != 0; }
 

@@ -316,6 +316,32 @@ TEST_F(Cli, ARecordingReplaysAndADamagedOneDoesNot) {
   EXPECT_EQ(sudar("replay tape --check").code, 2);
 }
 
+// A file of another program is run, saved, gone on with, drawn, looked through and turned into another, as scenarios are.
+TEST_F(Cli, AFileIsAScenario) {
+  std::ofstream(file("my box.obj")) << "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  const Result run = sudar("run 'my box.obj' --unit cm --steps 20 --save s@10 --json");
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(Json::parse(sudar("run 'my box.obj' --unit cm --load s --steps 20 --json").out)["hash"],
+            Json::parse(run.out)["hash"]);
+  EXPECT_EQ(sudar("render 'my box.obj' --at 0.1 --size 64x64 -o a.png").code, 0);
+  EXPECT_TRUE(fs::exists(folder / "a.png"));
+
+  const Result converted = sudar("convert --unit mm 'my box.obj' a.glb");
+  EXPECT_EQ(converted.code, 0) << converted.err;
+  const Result good = sudar("lint a.glb 'my box.obj'");
+  EXPECT_EQ(good.code, 0) << good.out;
+  EXPECT_NE(good.out.find("a.glb: 2 bodies, 0 joints"), std::string::npos) << good.out;
+
+  std::ofstream(file("bad.obj")) << "v 0 0 0\nf 1 2 3\n";
+  const Result bad = sudar("lint bad.obj a.glb");
+  EXPECT_EQ(bad.code, 1);
+  EXPECT_NE(bad.out.find("bad.obj:2: error: names vertex 2"), std::string::npos) << bad.out;
+  EXPECT_EQ(sudar("run bad.obj").code, 2);
+  EXPECT_NE(sudar("run bad.obj").err.find("bad.obj:2: names vertex 2"), std::string::npos);
+  EXPECT_EQ(sudar("convert a.glb a.step").code, 2);
+  EXPECT_EQ(sudar("run none.glb").code, 2);
+}
+
 TEST_F(Cli, CsvHasUnitsAndARowForEveryStep) {
   ASSERT_EQ(sudar("run wall --steps 5 --set rows=1 --csv course.csv").code, 0);
   std::istringstream in(text_of(folder / "course.csv"));

@@ -8,6 +8,9 @@
 #include <filesystem>
 
 #include "main/plugins.h"
+#ifdef SUDAR_IO
+#include <sudar/io.h>
+#endif
 
 namespace sudar::python {
 
@@ -30,7 +33,13 @@ std::string folder_of_scenarios() {
 
 const Catalogue& catalogue() {
   static const app::Plugins& plugins = []() -> const app::Plugins& {
-    const auto* loaded = new app::Plugins(folder_of_scenarios());
+    auto* loaded = new app::Plugins(folder_of_scenarios());
+#ifdef SUDAR_IO
+    static auto* files = new io::FileScenes({}, [](const io::Finding& f) {
+      if (f.severity == io::Severity::warning) PyErr_WarnEx(PyExc_UserWarning, io::text(f).c_str(), 1);
+    });
+    loaded->open_with([](std::string_view name) { return files->open(name); });
+#endif
     for (const std::string& reason : loaded->refused()) PyErr_WarnEx(PyExc_RuntimeWarning, reason.c_str(), 1);
     return *loaded;
   }();
@@ -104,7 +113,7 @@ void bind_scenarios(py::module_& m) {
       "All that there are, in the order of the program's browser.");
   py::class_<SharedSession>(
       m, "Session",
-      "A scenario being run: Session(\"wall\", ball=0). Parameters of the scenario by name; what differs from its own "
+      "A scenario being run: Session(\"wall\", ball=0), or a file: Session(\"robot.glb\"). Parameters of the scenario by name; what differs from its own "
       "configuration in `config`, a dict of fields of Config; `seconds` to simulate, None: the scenario's own.")
       .def(py::init(&make_session), "scenario"_a, "config"_a = py::dict(), "seconds"_a = py::none())
       .def_static(

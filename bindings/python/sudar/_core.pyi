@@ -412,6 +412,8 @@ class BodyDef:
     """of the surface along itself while the body stands, like a belt's; m/s, body's axes"""
     filter: Filter
     motion: Literal["dynamic", "kinematic", "fixed"]
+    gravity_factor: float
+    """times what Gravity does to it: 0 for what floats, negative for what rises"""
     sleeps: bool
     """may be put to sleep where the world sleeps"""
     name: str
@@ -430,6 +432,7 @@ class BodyDef:
         surface_velocity: Numbers = ...,
         filter: Union[Filter, Dict[str, Any]] = ...,
         motion: Literal["dynamic", "kinematic", "fixed"] = ...,
+        gravity_factor: float = ...,
         sleeps: bool = ...,
         name: str = ...,) -> None: ...
     def replace(self, *,
@@ -447,6 +450,7 @@ class BodyDef:
         surface_velocity: Numbers = ...,
         filter: Union[Filter, Dict[str, Any]] = ...,
         motion: Literal["dynamic", "kinematic", "fixed"] = ...,
+        gravity_factor: float = ...,
         sleeps: bool = ...,
         name: str = ...,) -> BodyDef:
         """A copy with other values in the named fields."""
@@ -537,20 +541,24 @@ class Drive:
     """of a spring, N/m and N s/m, or N m/rad and N m s/rad"""
     damping: float
     """of a spring, N/m and N s/m, or N m/rad and N m s/rad"""
+    rate: float
+    """of a spring, at which damping does nothing: m/s or rad/s"""
     def __init__(self, *,
         mode: Literal["off", "speed", "servo", "spring"] = ...,
         target: float = ...,
         force: float = ...,
         max_speed: float = ...,
         stiffness: float = ...,
-        damping: float = ...,) -> None: ...
+        damping: float = ...,
+        rate: float = ...,) -> None: ...
     def replace(self, *,
         mode: Literal["off", "speed", "servo", "spring"] = ...,
         target: float = ...,
         force: float = ...,
         max_speed: float = ...,
         stiffness: float = ...,
-        damping: float = ...,) -> Drive:
+        damping: float = ...,
+        rate: float = ...,) -> Drive:
         """A copy with other values in the named fields."""
 
 class Hinge:
@@ -1000,6 +1008,7 @@ class World:
         surface_velocity: Numbers = ...,
         filter: Union[Filter, Dict[str, Any]] = ...,
         motion: Literal["dynamic", "kinematic", "fixed"] = ...,
+        gravity_factor: float = ...,
         sleeps: bool = ...,
         name: str = ...,) -> Body:
         """Adds a body, given by the fields of BodyDef by name."""
@@ -1201,7 +1210,7 @@ def scenarios() -> List[ScenarioInfo]:
     """All that there are, in the order of the program's browser."""
 
 class Session:
-    """A scenario being run: Session("wall", ball=0). Parameters of the scenario by name; what differs from its own configuration in `config`, a dict of fields of Config; `seconds` to simulate, None: the scenario's own."""
+    """A scenario being run: Session("wall", ball=0), or a file: Session("robot.glb"). Parameters of the scenario by name; what differs from its own configuration in `config`, a dict of fields of Config; `seconds` to simulate, None: the scenario's own."""
     def __init__(self, scenario: str, config: dict = ..., seconds: Optional[float] = ..., **parameters: float) -> None: ...
     @staticmethod
     def load(data: Union[bytes, str, PathLike[str]]) -> Session:

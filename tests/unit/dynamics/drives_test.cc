@@ -215,6 +215,22 @@ TEST(Spring, IsImplicit) {
   EXPECT_NEAR(w[b].velocity().x - before, 4 / m * 0.1, 1e-4);
 }
 
+// Damping alone pulls to a rate: v̇ = c (rate − v) / m, implicitly.
+TEST(Spring, PullsToARate) {
+  const double h = 0.01, c = 3, m = 2, rate = 1.5;
+  World w(steady(h));
+  const Body b = w.add({.shape = box({1, 1, 1}), .mass = Real(m)});
+  w.join(Slider{.b = b,
+                .axis = x_axis,
+                .drive = {.mode = DriveMode::spring, .force = 1000, .damping = Real(c), .rate = Real(rate)}});
+  double v = 0;
+  for (int i = 0; i < 200; ++i) {
+    w.step();
+    v = (m * v + h * c * rate) / (m + h * c);
+    ASSERT_NEAR(w[b].velocity().x, v, 1e-5);
+  }
+}
+
 // A block and tackle: with ratio 2 a weight holds the double one, and a moves twice as fast as b.
 TEST(Pulley, IsABlockAndTackle) {
   World w(steady(0.01));

@@ -17,6 +17,35 @@ TEST(Gravity, FallsInTheDiscreteForm) {
   }
 }
 
+// A balloon rises at half of g; what has factor 0 stays. Energy counts what acts.
+class GravityFactor : public WithEachSolver {};
+INSTANTIATE_TEST_SUITE_P(Solvers, GravityFactor, each_solver(), solver_name);
+TEST_P(GravityFactor, TimesGravity) {
+  World w(config());
+  w.add(Gravity{});
+  const Body balloon = w.add({.shape = sphere(1), .at = {0, 10, 0}, .mass = 2, .gravity_factor = Real(-0.5)});
+  const Body still = w.add({.shape = sphere(1), .at = {9, 10, 0}, .gravity_factor = 0});
+  const double energy = w.energy().total();
+  step(w, 60);
+  EXPECT_NEAR(w[balloon].velocity().y, 9.81 / 2, 1e-4);
+  EXPECT_EQ(w[still].velocity(), Vec3{});
+  EXPECT_NEAR(w.energy().total(), energy, 0.02 * 2 * 4.905 * 2.45);
+  EXPECT_EQ(w[balloon].gravity_factor(), Real(-0.5));
+}
+
+// What rises rests under a ceiling, and a stack on a floor carries what is on it by its factor.
+TEST_P(GravityFactor, RestsWhereItLeadsTo) {
+  World w(config());
+  w.add(Gravity{});
+  w.add({.shape = box({9, 1, 9}), .at = {0, 4, 0}, .motion = Motion::fixed});
+  BodyDef balloon = cube({0, 1, 0});
+  balloon.gravity_factor = -1;
+  const Body b = w.add(balloon);
+  step(w, 300);
+  EXPECT_NEAR(w[b].pose().p.y, 3, 0.012);
+  EXPECT_LT(length(w[b].velocity()), 0.01);
+}
+
 // The parabola is in the fourth-order method's reach: exact.
 TEST(Gravity, RungeKuttaFallsExactly) {
   Config c = steady(1.0 / 60);
