@@ -230,7 +230,7 @@ TEST(Mujoco, ModelsOfOthersMoveTheSame) {
           j.def);
     }
     std::erase_if(model.joints, [](const auto& j) { return std::holds_alternative<Rope>(j.def); });
-    expect_same_motion(oracle, model, 0.4, 2e-3);
+    expect_same_motion(oracle, model, 0.2, 1e-3);
   }
 }
 

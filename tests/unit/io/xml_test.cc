@@ -49,7 +49,7 @@ TEST(Xml, DamagedFilesAreReadOrRefused) {
   ASSERT_TRUE(read_text(".xml", whole).made);
   Random random(1);
   int made = 0, bad = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 200; ++i) {
     std::string text = whole;
     if (i % 3 == 0) text.resize(std::size_t(random.whole(0, int(text.size()) - 1)));
     for (int k = 0; k < 1 + i % 4 && !text.empty(); ++k) {
@@ -61,8 +61,8 @@ TEST(Xml, DamagedFilesAreReadOrRefused) {
     (r.made ? made : bad) += 1;
     EXPECT_NE(r.made.has_value(), text_of(r, Severity::error) != "") << text;
   }
-  EXPECT_GT(made, 10);
-  EXPECT_GT(bad, 100);
+  EXPECT_GT(made, 5);
+  EXPECT_GT(bad, 50);
 }
 
 }
