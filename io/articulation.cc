@@ -25,6 +25,21 @@ Mat3d sound_inertia(const Inertial& i, const Link& link, Remarks& remarks) {
 
 }
 
+// Springs without a limit add up to one.
+void Degree::add(const Spring& s) {
+  if (!(s.stiffness > 0 || s.damping > 0)) return;
+  if (!springs.empty() && s.force == infinite && springs[0].force == infinite) {
+    Spring& all = springs[0];
+    const double stiffness = all.stiffness + s.stiffness;
+    if (stiffness > 0) all.rest = (all.stiffness * all.rest + s.stiffness * s.rest) / stiffness;
+    const double damping = all.damping + s.damping;
+    if (damping > 0) all.rate = (all.damping * all.rate + s.damping * s.rate) / damping;
+    all.stiffness = stiffness, all.damping = damping;
+  } else {
+    springs.insert(s.force == infinite ? springs.begin() : springs.end(), s);
+  }
+}
+
 bool Articulation::meets_nothing(std::size_t c) const { return std::ranges::none_of(touching[c], std::identity{}); }
 
 Assembly::Assembly(Articulation mechanism, Model& model, Source& source, Remarks& remarks)
@@ -149,9 +164,11 @@ void Assembly::add_body(int root) {
   BodyDef def{.at = position(frame.p), .turn = convert<Real>(frame.q), .name = link.name};
   def.motion = link.kinematic ? Motion::kinematic : Motion::dynamic;
   Inertial all{};
+  double lifted = 0;  // kg: at which gravity pulls
   bool touches = false;
   for (const int i : parts) {
     const Link& part = mechanism_.links[std::size_t(i)];
+    lifted += part.inertial.mass * part.gravity;
     all = together(all, moved(part.inertial, inverse(frame) * frames_[std::size_t(i)]));
     for (const Piece& p : part.pieces) touches = touches || !mechanism_.meets_nothing(p.meets);
   }
@@ -165,6 +182,7 @@ void Assembly::add_body(int root) {
   }
   if (all.mass > 0) {
     def.mass = Real(all.mass);
+    def.gravity_factor = Real(lifted / all.mass);
     def.center = convert<Real>(all.center);
     def.inertia = rounded(sound_inertia(all, link, remarks_));
   }

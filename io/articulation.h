@@ -12,6 +12,13 @@ inline constexpr int ground = -1;  // among links: the world
 
 enum class Freedom : std::uint8_t { hinge, slide, ball };
 
+// Pulls a coordinate to where it rests, and damps its rate: in N m and rad, or N and m.
+struct Spring {
+  double stiffness = 0, rest = 0, damping = 0;
+  double rate = 0;                                         // at which damping does nothing
+  double force = std::numeric_limits<double>::infinity();  // the most that it pulls with
+};
+
 // One degree of freedom, or a ball's three. Its coordinate is 0 as the file places the links.
 struct Degree {
   Freedom kind = Freedom::hinge;
@@ -19,11 +26,11 @@ struct Degree {
   Origin from{};
   Vec3d at{}, axis{0, 0, 1};  // in the link's frame
   std::optional<std::pair<double, double>> range{};
-  double stiffness = 0, rest = 0;  // of a spring: N m/rad or N/m, and the coordinate at which it does not pull
-  double damping = 0;              // N m s/rad or N s/m
-  double friction = 0;             // N m or N, whatever the speed
-  double armature = 0;             // kg m² or kg, of a rotor: inertia along the coordinate alone
-  double force = std::numeric_limits<double>::infinity();  // N m or N: the most that spring and damper pull with
+  std::vector<Spring> springs{};
+  double friction = 0;  // N m or N, whatever the speed
+  double armature = 0;  // kg m² or kg, of a rotor: inertia along the coordinate alone
+
+  void add(const Spring&);
 };
 
 // One shape of a link.
@@ -45,6 +52,7 @@ struct Link {
   Frame at{};                     // in the parent's
   bool free = false;              // nothing holds it to its parent
   bool kinematic = false;         // moved by hand
+  double gravity = 1;             // times what gravity does to it
   std::vector<Degree> degrees{};  // from the parent outwards
   Inertial inertial{};            // in its own frame
   std::vector<Piece> pieces{};

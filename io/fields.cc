@@ -9,11 +9,12 @@ namespace {
 
 constexpr std::string_view spaces = " \t\r\n";
 
-std::vector<std::string_view> words(std::string_view text) {
+// Those that there are, but no more than that.
+std::vector<std::string_view> words(std::string_view text, std::size_t most) {
   std::vector<std::string_view> result;
   while (true) {
     const std::size_t begin = text.find_first_not_of(spaces);
-    if (begin == std::string_view::npos) return result;
+    if (begin == std::string_view::npos || result.size() == most) return result;
     const std::size_t end = std::min(text.find_first_of(spaces, begin), text.size());
     result.push_back(text.substr(begin, end - begin));
     text.remove_prefix(end);
@@ -83,10 +84,11 @@ std::string Fields::text(std::string_view name, std::string otherwise) {
 std::vector<double> Fields::numbers(std::string_view name, std::size_t least, std::size_t most) {
   const XmlAttribute* a = ask(name);
   if (a == nullptr) return {};
-  const std::vector<std::string_view> all = words(a->value);
+  const std::vector<std::string_view> all = words(a->value, most + 1);
   if (all.size() < least || all.size() > most) {
     const std::string upper = most == least ? "" : most == unbounded ? " or more" : " to " + std::to_string(most);
-    fail(name, "has " + std::to_string(all.size()) + " numbers, must have " + std::to_string(least) + upper);
+    fail(name, "has " + std::to_string(all.size()) + (all.size() > most ? " or more" : "") + " numbers, must have " +
+                   std::to_string(least) + upper);
   }
   std::vector<double> result;
   for (const std::string_view word : all) {

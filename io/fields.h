@@ -31,7 +31,7 @@ class Remarks {
 
 class Fields {
  public:
-  static constexpr std::size_t unbounded = std::numeric_limits<std::size_t>::max();
+  static constexpr std::size_t unbounded = 30'000'000;
   // The attributes may be others than the element's own: with its defaults.
   Fields(Remarks& remarks, const Origin& element, std::vector<XmlAttribute> attributes)
       : remarks_(remarks), at_(element), attributes_(std::move(attributes)), asked_(attributes_.size()) {}

@@ -182,8 +182,8 @@ class UrdfReader {
     }
   }
 
-  // package://NAME/… lies in the folder of that name, or in the one whose package.xml says so, on the way up from the
-  // file or in one that is allowed.
+  // package://NAME/… lies in the folder of that name on the way up from the file or in one that is allowed; else in the
+  // nearest one that is a package, whatever it is called.
   std::string located(const std::string& name) const {
     constexpr std::string_view package = "package://", file = "file://";
     if (name.starts_with(file)) return name.substr(file.size());
@@ -200,9 +200,11 @@ class UrdfReader {
     }
     for (const fs::path& folder : source_.options().allow) starts.push_back(fs::weakly_canonical(folder, error));
     for (const fs::path& folder : starts) {
-      for (const fs::path& candidate : {folder.filename() == own ? folder : fs::path(), folder / own}) {
-        if (!candidate.empty() && fs::exists(candidate / inside, error)) return (candidate / inside).string();
-      }
+      if (folder.filename() == own) return (folder / inside).string();
+      if (fs::is_directory(folder / own, error)) return (folder / own / inside).string();
+    }
+    for (const fs::path& folder : starts) {
+      if (fs::exists(folder / "package.xml", error)) return (folder / inside).string();
     }
     throw Error("",
                 "there is no package " + in_quotes(own) + " in a folder above the file, or in one that --allow names");
@@ -283,7 +285,10 @@ void UrdfReader::degrees_of(const XmlElement& e, const std::string& type, Link& 
     Fields f(remarks_, *limit);
     const double lower = f.number("lower", 0), upper = f.number("upper", 0);
     if (lower > upper) f.fail("upper", "is less than lower");
-    if (type != "continuous") d.range = {lower, upper};
+    if (type != "continuous") {
+      d.range = {lower, upper};
+      if (lower == upper) remarks_.note(limit->at, "its lower and upper end are the same: the joint cannot move");
+    }
     f.pass({"effort", "velocity", "acceleration", "deceleration", "jerk"});  // of whoever drives it: it is not driven
     f.finish();
   } else if (type != "continuous") {
@@ -291,7 +296,8 @@ void UrdfReader::degrees_of(const XmlElement& e, const std::string& type, Link& 
   }
   if (const XmlElement* dynamics = e.child("dynamics")) {
     Fields f(remarks_, *dynamics);
-    d.damping = f.number("damping", 0, not_negative), d.friction = f.number("friction", 0, not_negative);
+    d.add({.damping = f.number("damping", 0, not_negative)});
+    d.friction = f.number("friction", 0, not_negative);
     f.finish();
   }
   if (const XmlElement* mimic = e.child("mimic"))

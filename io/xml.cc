@@ -169,6 +169,8 @@ class XmlReader {
       a.value = value();
       e.attributes.push_back(std::move(a));
       if (e.attributes.size() > most_attributes) fail(in_quotes(e.name) + " has too many attributes");
+      constexpr std::size_t of_an_item = 4;  // that one has on the whole, at most
+      if (++attributes_ > of_an_item * source_.options().limits.items) fail("there are too many attributes");
     }
     if (const XmlAttribute* own = e.find("name")) call(e, in_quotes(own->value));
     if (skip("/>")) return e;
@@ -207,7 +209,7 @@ class XmlReader {
   Source& source_;
   std::string_view text_;
   std::string file_;
-  std::size_t position_ = 0;
+  std::size_t position_ = 0, attributes_ = 0;
   int line_ = 1;
 };
 

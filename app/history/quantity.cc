@@ -195,7 +195,10 @@ std::string name(const World& w, const Quantity& q) {
 
 std::string unit(const World& w, const Quantity& q) {
   if (q.of == Quantity::Of::joint && q.which == 0 && w.alive(q.joint)) {
-    return std::holds_alternative<Hinge>(w[q.joint].definition()) ? "rad" : "m";
+    const JointDef& def = w[q.joint].definition();
+    const bool angle =
+        std::holds_alternative<Hinge>(def) || std::holds_alternative<Azimuth>(def) || std::holds_alternative<Tilt>(def);
+    return angle ? "rad" : "m";
   }
   return quantities(q.of)[std::size_t(q.which)].unit;
 }

@@ -58,7 +58,7 @@ void add_axis(JointMark& mark, const JointView& joint, const Definition& d) {
   constexpr bool has_axis = requires { d.axis; }
   || requires { d.normal; };
   if constexpr (has_axis) mark.axis = axis({1, 0, 0});
-  if constexpr (requires { d.axis, d.limit; }) {
+  if constexpr (std::is_same_v<Definition, Hinge> || std::is_same_v<Definition, Slider>) {
     mark.freedom = {mark.axis,          axis({0, 1, 0}),     std::is_same_v<Definition, Hinge>,
                     float(d.limit.low), float(d.limit.high), float(joint.coordinate())};
   }

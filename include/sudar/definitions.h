@@ -165,7 +165,8 @@ enum class DriveMode : std::uint8_t {
   off,
   speed,   // `target` is a speed, m/s or rad/s
   servo,   // `target` is a coordinate, m or rad; approached as fast as the force lets it stop there
-  spring,  // `target` is a coordinate; pulled there by stiffness · (target − coordinate) + damping · (rate − its), implicitly
+  spring,  // `target` is a coordinate; pulled there by stiffness · (target − coordinate) + damping · (rate − its),
+           // implicitly, less what a change of its rate takes to turn the armature
 };
 inline const char* const* names(DriveMode) {
   static constexpr const char* n[] = {"off", "speed", "servo", "spring", nullptr};
@@ -178,6 +179,7 @@ struct Drive {
   Real max_speed = std::numeric_limits<Real>::infinity();  // of a servo, m/s or rad/s
   Real stiffness = 0, damping = 0;                         // of a spring, N/m and N s/m, or N m/rad and N m s/rad
   Real rate = 0;                                           // of a spring, at which damping does nothing: m/s or rad/s
+  Real armature = 0;  // of a spring: inertia along the coordinate alone, as of a rotor behind a gear, kg or kg m²
 };
 template <class V, Like<Drive> T>
 void describe(V& v, T& d) {
@@ -186,7 +188,7 @@ void describe(V& v, T& d) {
   v("force", d.force, or_infinite);
   v("max_speed", d.max_speed, or_infinite);
   v("stiffness", d.stiffness, not_negative), v("damping", d.damping, not_negative);
-  v("rate", d.rate, any);
+  v("rate", d.rate, any), v("armature", d.armature, not_negative);
 }
 
 struct Bar {  // keeps the distance between two points: thesis (3.22)
@@ -253,7 +255,42 @@ struct Reel {  // a rope from a that winds on an axle of b, without slipping; ta
   Real radius = Real(0.1); // of the axle, m
   bool collide = false;
 };
-using JointDef = std::variant<Bar, Rope, Ball, Hinge, Slider, Fixed, Plane, Muscle, Pulley, Reel>;
+
+// The following hold less than a hinge or slider, or nothing: beside other joints of the same bodies they limit and
+// drive single coordinates of these. A ball with two azimuths and a tilt has the three angles of a gimbal.
+struct Orientation {  // b does not turn against a, and goes where it likes
+  Body a{}, b{};
+  Pos at{};  // where it is shown
+  bool collide = false;
+};
+struct Azimuth {  // the angle of a direction of b about an axis of a; 0 at creation, unwound
+  Body a{}, b{};
+  Pos at{};                 // where it is shown
+  Vec3 axis{0, 0, 1};       // of a
+  Vec3 direction{1, 0, 0};  // of b, not along the axis
+  Limit limit{};
+  Drive drive{};
+  bool collide = false;
+};
+struct Tilt {  // the angle between an axis of a and a direction of b: 0…π, also in limit and drive
+  Body a{}, b{};
+  Pos at{};  // where it is shown
+  Vec3 axis{0, 0, 1};
+  Vec3 direction{1, 0, 0};
+  Limit limit{};
+  Drive drive{};
+  bool collide = false;
+};
+struct Stroke {  // the way of a point of b along an axis of a, 0 at creation
+  Body a{}, b{};
+  Pos at{};
+  Vec3 axis{1, 0, 0};
+  Limit limit{};
+  Drive drive{};
+  bool collide = false;
+};
+using JointDef = std::variant<Bar, Rope, Ball, Hinge, Slider, Fixed, Plane, Muscle, Pulley, Reel, Orientation, Azimuth,
+                              Tilt, Stroke>;
 
 template <class V, Like<Bar> T>
 void describe(V& v, T& d) {
@@ -289,17 +326,22 @@ void describe(V& v, T& d) {
   v("collide", d.collide, any);
 }
 template <class V, class T>
-  requires(Like<T, Ball> || Like<T, Fixed>)
-void describe(V& v, T& d) {
+requires(Like<T, Ball> || Like<T, Fixed> || Like<T, Orientation>) void describe(V& v, T& d) {
   v("a", d.a, any), v("b", d.b, any);
   v("at", d.at, any);
   v("collide", d.collide, any);
 }
 template <class V, class T>
-  requires(Like<T, Hinge> || Like<T, Slider>)
-void describe(V& v, T& d) {
+requires(Like<T, Hinge> || Like<T, Slider> || Like<T, Stroke>) void describe(V& v, T& d) {
   v("a", d.a, any), v("b", d.b, any);
   v("at", d.at, any), v("axis", d.axis, unit_length);
+  v("limit", d.limit, any), v("drive", d.drive, any);
+  v("collide", d.collide, any);
+}
+template <class V, class T>
+requires(Like<T, Azimuth> || Like<T, Tilt>) void describe(V& v, T& d) {
+  v("a", d.a, any), v("b", d.b, any);
+  v("at", d.at, any), v("axis", d.axis, unit_length), v("direction", d.direction, unit_length);
   v("limit", d.limit, any), v("drive", d.drive, any);
   v("collide", d.collide, any);
 }

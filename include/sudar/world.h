@@ -149,7 +149,8 @@ class JointView {
   Quat frame_a() const;      // the joint's axes on its two bodies, → world: x is the axis of a hinge, slider or plane; the
   Quat frame_b() const;      // angle of a hinge is that from a's y to b's y about it
   Real gap() const;          // how far the joint is from holding, m; of a rope or slider also how far beyond its limit
-  Real coordinate() const;   // angle of a hinge [rad, unwound], way of a slider, length of a rope or muscle [m]; else 0
+  Real coordinate() const;  // angle of a hinge, azimuth [unwound] or tilt [rad], way of a slider or stroke, length of a
+                            // rope or muscle [m]; else 0
   Wrench load() const;       // that the joint exerted on its body b in the last sub-step, about anchor b
 
  private:
@@ -188,7 +189,7 @@ class World {
   void set_surface_velocity(Body, const Vec3&);                // of all its shapes; m/s, body's axes
   // What holds where the two touch, with whatever shapes, instead of the mix of their materials; none: the mix again.
   void set_pair_material(Body a, Body b, const std::optional<Material>&);
-  void set_drive(Joint, const Drive&);                         // of a hinge, slider or muscle
+  void set_drive(Joint, const Drive&);  // of a joint that has one
   void set_config(const Config&);
   void wake(Body);
 

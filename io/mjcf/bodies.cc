@@ -102,7 +102,7 @@ class BodiesReader {
     Link made{.name = name_of(e, place), .parent = place.link, .at = place.in_link * placement(settings, f)};
     made.kinematic = f.flag("mocap", false);
     if (made.kinematic && place.link != ground) f.fail("mocap", "is for bodies of the world alone");
-    f.leave_out("gravcomp", "is not supported: gravity pulls at the body");
+    made.gravity = 1 - f.number("gravcomp", 0);
     f.finish();
     place.body = made.name;
     place.link = add_link(std::move(made), e), place.in_link = {};
@@ -268,17 +268,16 @@ void BodiesReader::joint(const XmlElement& e, const Place& place) {
     if (range[0] > range[1]) f.fail("range", "ends below where it begins");
     d.range = {unit(range[0]) - reference, unit(range[1]) - reference};
   }
-  d.stiffness = f.number("stiffness", 0, not_negative), d.damping = f.number("damping", 0, not_negative);
-  d.rest = unit(f.number("springref", 0)) - reference;
-  if (!s.springs) d.stiffness = 0;
-  if (!s.dampers) d.damping = 0;
+  const double stiffness = f.number("stiffness", 0, not_negative), damping = f.number("damping", 0, not_negative);
+  const double rest = unit(f.number("springref", 0)) - reference;
+  d.add({.stiffness = s.springs ? stiffness : 0, .rest = rest, .damping = s.dampers ? damping : 0});
   d.friction = s.friction ? f.number("frictionloss", 0, not_negative) : 0;
   d.armature = f.number("armature", 0, not_negative);
   if (f.has("springdamper")) f.leave_out("springdamper", "is not supported: give stiffness and damping");
   for (const char* soft : {"solreflimit", "solimplimit", "solreffriction", "solimpfriction"}) f.mention(soft, softness);
   f.pass({"frictionloss", "margin", "actuatorfrcrange", "actuatorfrclimited", "actuatorgravcomp"});
   f.finish();
-  know(out_.names.joints, name, e.at, std::pair(place.link, own.degrees.size()));
+  know(out_.names.joints, name, e.at, MjcfNames::Joint{place.link, own.degrees.size(), reference});
   own.degrees.push_back(std::move(d));
 }
 

@@ -14,7 +14,12 @@ struct MjcfNames {
     Vec3d at;  // in the link's frame
   };
   Table<int> bodies;
-  Table<std::pair<int, std::size_t>> joints;  // link, number of its degree
+  struct Joint {
+    int link;
+    std::size_t degree;  // its number among the link's
+    double reference;    // MuJoCo's coordinate where that of the degree is 0
+  };
+  Table<Joint> joints;
   Table<Place> sites;
 };
 

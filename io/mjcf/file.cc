@@ -45,7 +45,8 @@ MjcfFile::MjcfFile(Source& source, Remarks& remarks, const std::filesystem::path
   const std::string_view text{reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   root_ = parse_xml(source, own ? source.text() : text, path.string());
   if (root_.name != "mujoco" && root_.name != "mujocoinclude")
-    throw FileError(root_.at, "is no MJCF: its root is \"" + root_.name.substr(0, 40) + "\", not \"mujoco\"");
+    throw FileError(root_.at, "is no MJCF: its root is " + in_quotes(root_.name) + ", not \"mujoco\"" +
+                                  (root_.name == "robot" ? "; a URDF is read where its name ends with .urdf" : ""));
   expand(root_, 1);
   classes_[main_class] = {};
   for (const XmlElement& section : root_.children) {

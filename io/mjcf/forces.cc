@@ -28,29 +28,26 @@ bool is_limited(Fields& f, const MjcfSettings& s, const char* limited, const cha
   return given == 1 || (given == 2 && !numbers.empty() && s.auto_limits);
 }
 
-// F = −stiffness (length − rest) − damping · rate, along a length that changes by `ratio` with a joint's coordinate and
-// is `offset` where that is 0.
+// F = −stiffness (length − rest) − damping (its rate − rate), but no more than `most` [N or N m].
 struct Pull {
-  double stiffness = 0, rest = 0, damping = 0, ratio = 1, offset = 0;
-  double most = std::numeric_limits<double>::infinity();  // N or N m
+  double stiffness = 0, rest = 0, damping = 0, rate = 0, most = infinite;
 };
-void add_pull(Degree& d, const Pull& p, const Origin& at, Remarks& remarks) {
-  if (p.most < std::numeric_limits<double>::infinity()) {
-    if (d.stiffness > 0 || d.damping > 0)
-      remarks.warn(at, "its limit of force is left out: the joint has a spring or damping of its own");
-    else
-      d.force = p.most * abs(p.ratio);
-  }
-  const double stiffness = p.stiffness * square(p.ratio), sum = d.stiffness + stiffness;
-  if (sum > 0) d.rest = (d.stiffness * d.rest + stiffness * (p.rest - p.offset) / p.ratio) / sum;
-  d.stiffness = sum;
-  d.damping += p.damping * square(p.ratio);
-}
 
-// A fixed tendon: a sum of coordinates.
+// A length that is `ratio` times the coordinate of a joint as MuJoCo counts it; of several that are added up in a fixed
+// tendon, one.
 struct Term {
   Degree* degree;
+  double reference;  // MuJoCo's coordinate where that of the degree is 0
   double ratio;
+
+  double coordinate(double length) const { return length / ratio - reference; }
+  void add(const Pull& p) const {
+    degree->add({.stiffness = p.stiffness * square(ratio),
+                 .rest = coordinate(p.rest),
+                 .damping = p.damping * square(ratio),
+                 .rate = p.rate / ratio,
+                 .force = p.most * abs(ratio)});
+  }
 };
 using Tendons = std::map<std::string, std::vector<Term>>;
 
@@ -70,9 +67,9 @@ class JointForces {
   }
 
  private:
-  Degree& degree(Fields& f, const char* attribute) {
-    const auto [link, number] = find(bodies_.names.joints, f, attribute, "joint");
-    return bodies_.mechanism.links[std::size_t(link)].degrees[number];
+  Term joint(Fields& f, const char* attribute, double ratio = 1) {
+    const MjcfNames::Joint& j = find(bodies_.names.joints, f, attribute, "joint");
+    return {&bodies_.mechanism.links[std::size_t(j.link)].degrees[j.degree], j.reference, ratio};
   }
 
   void tendon(const XmlElement& e) {
@@ -81,13 +78,14 @@ class JointForces {
     std::vector<Term> terms;
     for (const XmlElement& c : e.children) {
       Fields of_term(remarks_, c);
-      Degree& d = degree(of_term, "joint");
-      if (const double ratio = of_term.number("coef", 1); ratio != 0) terms.push_back({&d, ratio});
+      const double ratio = of_term.number("coef", 1);
+      const Term term = joint(of_term, "joint", ratio);
+      if (ratio != 0) terms.push_back(term);
       of_term.finish();
     }
-    const Pull pull{.stiffness = settings_.springs ? f.number("stiffness", 0, not_negative) : 0,
-                    .rest = springlength(f),
-                    .damping = settings_.dampers ? f.number("damping", 0, not_negative) : 0};
+    const std::optional<double> rest = springlength(f);
+    Pull pull{.stiffness = settings_.springs ? f.number("stiffness", 0, not_negative) : 0,
+              .damping = settings_.dampers ? f.number("damping", 0, not_negative) : 0};
     const bool limited = is_limited(f, settings_, "limited", "range") && settings_.limits;
     const auto range = f.numbers("range", 2, 2);
     f.pass({"group", "width", "material", "rgba", "user", "actuatorfrcrange", "actuatorfrclimited", "stiffness",
@@ -96,12 +94,12 @@ class JointForces {
     leave_softness(f);
     f.finish();
     if (terms.size() == 1 && terms[0].degree->kind != Freedom::ball) {
-      Degree& d = *terms[0].degree;
-      Pull along = pull;
-      along.ratio = terms[0].ratio;
-      if (pull.stiffness > 0 || pull.damping > 0) add_pull(d, along, e.at, remarks_);
+      const Term& only = terms[0];
+      pull.rest = rest.value_or(only.ratio * only.reference);
+      only.add(pull);
       if (limited) {
-        double low = range[0] / along.ratio, high = range[1] / along.ratio;
+        Degree& d = *only.degree;
+        double low = only.coordinate(range[0]), high = only.coordinate(range[1]);
         if (low > high) std::swap(low, high);
         if (d.range) low = max(low, d.range->first), high = min(high, d.range->second);
         d.range = {low, high};
@@ -112,14 +110,13 @@ class JointForces {
     tendons_[name] = std::move(terms);
   }
 
-  // One number; of two, between which it is slack, the first. None, and −1: the length at rest, 0 of a sum of
-  // coordinates.
-  double springlength(Fields& f) {
+  // One number; of two, between which it is slack, the first. None: the length that it has to begin with.
+  std::optional<double> springlength(Fields& f) {
     const auto x = f.numbers("springlength", 1, 2);
     if (x.size() == 2 && x[0] != x[1])
       f.leave_out("springlength",
                   "names two lengths between which it is slack, which is not supported: the first is taken");
-    return x.empty() || x[0] == -1 ? 0 : x[0];
+    return x.empty() || x[0] == -1 ? std::nullopt : std::optional(x[0]);
   }
 
   void equality(const XmlElement& e) {
@@ -128,9 +125,9 @@ class JointForces {
     leave_softness(f);
     const bool active = f.flag("active", true);
     const auto polynomial = f.numbers("polycoef", 1, 5);
-    Degree& d = degree(f, "joint1");
+    Degree& d = *joint(f, "joint1").degree;
     if (f.has("joint2")) {
-      degree(f, "joint2");
+      joint(f, "joint2");
       if (active) remarks_.warn(e.at, "couples two joints, which is not supported: both move freely");
     } else if (active && d.kind != Freedom::ball) {
       const double held = polynomial.empty() ? 0 : polynomial[0];
@@ -144,13 +141,17 @@ class JointForces {
     f.pass({"name", "group", "user"});
     const std::vector<Term> terms = target(f);
     const auto gear = f.numbers("gear", 1, 6);
-    Pull pull{.ratio = gear.empty() ? 1 : gear[0]};
+    Pull pull;
     double control = 0;
     if (is_limited(f, settings_, "ctrllimited", "ctrlrange")) {
       const auto range = f.numbers("ctrlrange", 2, 2);
       control = clamp(0.0, range[0], max(range[0], range[1]));
     }
-    if (is_limited(f, settings_, "forcelimited", "forcerange")) pull.most = f.numbers("forcerange", 2, 2)[1];
+    if (is_limited(f, settings_, "forcelimited", "forcerange")) {
+      const auto range = f.numbers("forcerange", 2, 2);
+      pull.most = max(abs(range[0]), abs(range[1]));
+      if (range[0] != -range[1]) f.leave_out("forcerange", "is not the same both ways: the larger counts");
+    }
     double constant = 0;  // force that depends on nothing
     const bool known = law(e, f, control, pull, constant);
     for (const char* name :
@@ -158,25 +159,29 @@ class JointForces {
       f.pass({name});
     f.finish();
     if (!known || !settings_.actuators) return;
-    if (pull.stiffness == 0 && pull.damping == 0) {
-      if (constant != 0) remarks_.warn(e.at, "pulls with a constant force when its control is 0, which is left out");
+    if (pull.stiffness > 0) {
+      pull.rest = constant / pull.stiffness;
+    } else if (pull.damping > 0) {
+      pull.rate = constant / pull.damping;
+    } else {
+      if (constant != 0) remarks_.warn(e.at, "pulls with a constant force to begin with, which is left out");
       return;
     }
     if (terms.size() != 1 || terms[0].degree->kind == Freedom::ball) {
       remarks_.warn(e.at, "acts on something else than one hinge or slide, and is left out");
       return;
     }
-    Degree& d = *terms[0].degree;
-    pull.ratio *= terms[0].ratio;
-    if (pull.stiffness > 0) pull.rest = constant / pull.stiffness;
-    add_pull(d, pull, e.at, remarks_);
+    Term only = terms[0];
+    only.ratio *= gear.empty() ? 1 : gear[0];
+    if (only.ratio == 0) return;
+    only.add(pull);
     remarks_.note(e.at, "acts as with the control 0, or the one of its range that is next to it");
   }
 
   // The degrees that it acts on.
   std::vector<Term> target(Fields& f) {
-    if (f.has("joint")) return {{&degree(f, "joint"), 1}};
-    if (f.has("jointinparent")) return {{&degree(f, "jointinparent"), 1}};
+    if (f.has("joint")) return {joint(f, "joint")};
+    if (f.has("jointinparent")) return {joint(f, "jointinparent")};
     if (f.has("tendon")) {
       const auto it = tendons_.find(f.text("tendon"));
       return it == tendons_.end() ? std::vector<Term>{} : it->second;

@@ -1,5 +1,7 @@
 #include "dynamics/joint_solve.h"
 
+#include "dynamics/integrate.h"
+
 namespace sudar::inline SUDAR_PRECISION {
 
 JointSolve::JointSolve(Joints& joints, const Bodies& bodies, std::uint32_t joint, const SolverBodies& on, Real h)
@@ -7,7 +9,7 @@ JointSolve::JointSolve(Joints& joints, const Bodies& bodies, std::uint32_t joint
       b_answers_(on[b].answers()), joint_(joint), impulse_(joints.impulse[joint].rows) {
   const JointRows demands = rows_of(joints, bodies, joint);
   set_rows(demands, on);
-  if (demands.free) prepare_coordinate(joints, demands, on, h);
+  if (demands.free) prepare_coordinate(joints, bodies, demands, on, h);
 }
 
 const Drive& JointSolve::drive(const Joints& joints) const { return *drive_of(joints.definition[joint_]); }
@@ -53,7 +55,23 @@ Vec3 JointSolve::linear_impulse() const {
   return vector(sum);
 }
 
-void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, const SolverBodies& on, Real h) {
+// By how much the coordinate's rate changes over the sub-step without any impulse: the joint's directions turn, and so
+// does the spin of a body that keeps its angular momentum.
+Real JointSolve::drifting(const Joints& joints, const Bodies& bodies, const SolverBodies& on, Real h) const {
+  const auto end = [&](std::uint32_t slot, std::uint32_t number, Real time) {
+    return slot == no_body ? Ahead{} : ahead(bodies, slot, on[number], time);
+  };
+  const auto rate_after = [&](Real time) {
+    const Ahead on_a = end(joints.a[joint_], a, time), on_b = end(joints.b[joint_], b, time);
+    const Row row = rows_of(joints, {on_a.center, on_b.center}, joint_).rate;
+    return dot(row.linear_a, vector(on[a].real.v)) - dot(row.linear_b, vector(on[b].real.v)) +
+           dot(row.angular_a, on_a.spin) - dot(row.angular_b, on_b.spin);
+  };
+  return rate_after(h) - rate_after(0);
+}
+
+void JointSolve::prepare_coordinate(Joints& joints, const Bodies& bodies, const JointRows& demands,
+                                    const SolverBodies& on, Real h) {
   const JointImpulse& stored = joints.impulse[joint_];
   Real& coordinate = joints.coordinate[joint_];
   const Real mass = 1 / response(coordinate_, coordinate_);
@@ -88,11 +106,14 @@ void JointSolve::prepare_coordinate(Joints& joints, const JointRows& demands, co
     case DriveMode::speed: drive_.target = drive->target; break;
     case DriveMode::servo: break;  // see drives.h
     case DriveMode::spring: {
-      // λ = h (k (target − x − h u) + c (rate − u)), solved for u.
-      const Real stiff = h * drive->stiffness, resistance = h * (stiff + drive->damping);
+      // λ = h (k (target − x − h u) + c (rate − u)) − armature (u + drifting − u₀), with u₀ as the sub-step begins,
+      // solved for u.
+      const Real stiff = h * drive->stiffness, resistance = h * (stiff + drive->damping) + drive->armature;
       drive_.softness = resistance > 0 ? 1 / resistance : Real(0);
       drive_.target = drive_.softness * stiff * (drive->target - coordinate) +
                       drive_.softness * (h * drive->damping * drive->rate);
+      if (drive->armature > 0)
+        drive_.target += drive_.softness * drive->armature * (rate(on) - drifting(joints, bodies, on, h));
       drive_.present = resistance > 0;
       break;
     }

@@ -73,7 +73,9 @@ class JointSolve {
   void set_rows(const JointRows& demands, const SolverBodies& on);
   // What does not answer is not written: another island may be reading it.
   void put(SolverBodies& on, Moving SolverBody::*which, const Moving& on_a, const Moving& on_b) const;
-  void prepare_coordinate(Joints& joints, const JointRows& demands, const SolverBodies& on, Real h);
+  void prepare_coordinate(Joints& joints, const Bodies& bodies, const JointRows& demands, const SolverBodies& on,
+                          Real h);
+  Real drifting(const Joints& joints, const Bodies& bodies, const SolverBodies& on, Real h) const;
   Real hold_drive(SolverBodies& on);
   template <class Apply>
   Real solve_block(Real pull, const Moving& on_a, const Moving& on_b, Apply apply);

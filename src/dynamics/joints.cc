@@ -48,10 +48,25 @@ template <>
 struct PartsOf<Pulley> : Assembly<Detour> {};
 template <>
 struct PartsOf<Reel> : Assembly<Winding> {};
+template <>
+struct PartsOf<Orientation> : Assembly<Nothing, Lock> {};
+template <>
+struct PartsOf<Azimuth> : Assembly<Bearing> {};
+template <>
+struct PartsOf<Tilt> : Assembly<Incline> {};
+template <>
+struct PartsOf<Stroke> : Assembly<Travel> {};
 
 // The joint's frame in world axes at creation: x along its axis.
 Quat basis_along(const Vec3& axis) {
   const Vec3 x = normalize(axis), y = any_perpendicular(x);
+  return quaternion(Mat3{x, y, cross(x, y)});
+}
+
+// The same with y as near as can be to a direction.
+Quat basis_toward(const Vec3& axis, const Vec3& direction) {
+  const Vec3 x = normalize(axis), across = direction - x * dot(x, direction);
+  const Vec3 y = length_squared(across) > 0 ? normalize(across) : any_perpendicular(x);
   return quaternion(Mat3{x, y, cross(x, y)});
 }
 
@@ -62,6 +77,7 @@ struct Placement {
   Vec3 axis{1, 0, 0};
   Limit limit;
   bool taut = false;  // the coordinate may not exceed that at creation
+  std::optional<Vec3> direction{};  // x of b's axes; none: the axis
 };
 Placement placement(const Bar& d) { return {d.at_a, d.at_b, {1, 0, 0}, {distance(d.at_a, d.at_b), 0}}; }
 Placement placement(const Rope& d) {
@@ -75,36 +91,48 @@ Placement placement(const Pulley& d) {
   return {d.at_a, d.at_b, {1, 0, 0}, {-Limit{}.high, d.length}, d.length == 0};
 }
 Placement placement(const Reel& d) { return {d.at_a, d.at, d.axis, {}, true}; }
+Placement placement(const Orientation& d) { return {d.at, d.at, {1, 0, 0}, {}}; }
+Placement placement(const Azimuth& d) { return {d.at, d.at, d.axis, d.limit, false, d.direction}; }
+Placement placement(const Tilt& d) { return {d.at, d.at, d.axis, d.limit, false, d.direction}; }
+Placement placement(const Stroke& d) { return {d.at, d.at, d.axis, d.limit}; }
 Placement placement(const Hinge& d) { return {d.at, d.at, d.axis, d.limit}; }
 Placement placement(const Slider& d) { return {d.at, d.at, d.axis, d.limit}; }
 
-Vec3 arm(const Bodies& bodies, std::uint32_t body, const Vec3& anchor) {
-  return body == no_body ? Vec3{} : rotate(bodies.orientation[body], anchor);
+Pos anchor(const Joints& j, std::uint32_t i, std::uint32_t body, const Pose& at, const Vec3& local) {
+  return body == no_body ? j.ground[i] : at.point(local);
 }
-Pos anchor(const Joints& j, const Bodies& bodies, std::uint32_t i, std::uint32_t body, const Vec3& local) {
-  return body == no_body ? j.ground[i] : bodies.position[body] + arm(bodies, body, local);
+Vec3 arm(std::uint32_t body, const Pose& at, const Vec3& anchor) {
+  return body == no_body ? Vec3{} : rotate(at.q, anchor);
+}
+Quat turned(std::uint32_t body, const Pose& at, const Quat& basis) { return body == no_body ? basis : at.q * basis; }
+
+Pose center_pose(const Bodies& bodies, std::uint32_t body) {
+  return body == no_body ? Pose{} : Pose{bodies.position[body], bodies.orientation[body]};
+}
+JointEnds ends_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
+  return {center_pose(bodies, j.a[i]), center_pose(bodies, j.b[i])};
 }
 
-JointFrame frame_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
+JointFrame frame_of(const Joints& j, const JointEnds& ends, std::uint32_t i) {
   const std::uint32_t a = j.a[i], b = j.b[i];
+  const Pos on_a = anchor(j, i, a, ends.a, j.anchor_a[i]), on_b = anchor(j, i, b, ends.b, j.anchor_b[i]);
   JointFrame f;
-  f.ra = arm(bodies, a, j.anchor_a[i]);
-  f.rb = arm(bodies, b, j.anchor_b[i]);
-  f.gap = anchor_a(j, bodies, i) - anchor_b(j, bodies, i);
-  f.turn_a = frame_a(j, bodies, i);
-  f.turn_b = frame_b(j, bodies, i);
+  f.ra = arm(a, ends.a, j.anchor_a[i]);
+  f.rb = arm(b, ends.b, j.anchor_b[i]);
+  f.gap = on_a - on_b;
+  f.turn_a = turned(a, ends.a, j.basis_a[i]);
+  f.turn_b = turned(b, ends.b, j.basis_b[i]);
   f.basis_a = matrix(f.turn_a);
   f.basis_b = matrix(f.turn_b);
   f.length = j.limit[i].low;  // of a bar
   if (const auto* pulley = std::get_if<Pulley>(&j.definition[i])) {
-    f.reach_a = anchor_a(j, bodies, i) - pulley->over_a;
-    f.reach_b = anchor_b(j, bodies, i) - pulley->over_b;
+    f.reach_a = on_a - pulley->over_a;
+    f.reach_b = on_b - pulley->over_b;
     f.ratio = pulley->ratio;
   }
   if (const auto* reel = std::get_if<Reel>(&j.definition[i])) f.radius = reel->radius;
   return f;
 }
-
 }
 
 std::uint32_t Joints::add(const JointDef& def, const Bodies& bodies) {
@@ -117,8 +145,7 @@ std::uint32_t Joints::add(const JointDef& def, const Bodies& bodies) {
   a[i] = body_a(def).index;  // a null handle's index is no_body
   b[i] = body_b(def).index;
   const Placement p = std::visit([](const auto& d) { return placement(d); }, def);
-  const Quat basis = basis_along(p.axis);
-  const auto attach = [&](std::uint32_t body, const Pos& at, Vec3& local, Quat& local_basis) {
+  const auto attach = [&](std::uint32_t body, const Pos& at, const Quat& basis, Vec3& local, Quat& local_basis) {
     if (body == no_body) {
       ground[i] = at;
       local_basis = basis;
@@ -127,8 +154,8 @@ std::uint32_t Joints::add(const JointDef& def, const Bodies& bodies) {
       local_basis = conjugate(bodies.orientation[body]) * basis;
     }
   };
-  attach(a[i], p.at_a, anchor_a[i], basis_a[i]);
-  attach(b[i], p.at_b, anchor_b[i], basis_b[i]);
+  attach(a[i], p.at_a, p.direction ? basis_toward(p.axis, *p.direction) : basis_along(p.axis), anchor_a[i], basis_a[i]);
+  attach(b[i], p.at_b, basis_along(p.direction.value_or(p.axis)), anchor_b[i], basis_b[i]);
   limit[i] = p.limit;
   coordinate[i] = rows_of(*this, bodies, i).value;
   if (p.taut) limit[i].high = coordinate[i];
@@ -145,24 +172,27 @@ void Joints::turn_frame(std::uint32_t i, std::uint32_t body, const Transform& to
 }
 
 Pos anchor_a(const Joints& j, const Bodies& bodies, std::uint32_t i) {
-  return anchor(j, bodies, i, j.a[i], j.anchor_a[i]);
+  return anchor(j, i, j.a[i], center_pose(bodies, j.a[i]), j.anchor_a[i]);
 }
 Pos anchor_b(const Joints& j, const Bodies& bodies, std::uint32_t i) {
-  return anchor(j, bodies, i, j.b[i], j.anchor_b[i]);
+  return anchor(j, i, j.b[i], center_pose(bodies, j.b[i]), j.anchor_b[i]);
 }
 
 Quat frame_a(const Joints& j, const Bodies& bodies, std::uint32_t i) {
-  return j.a[i] == no_body ? j.basis_a[i] : bodies.orientation[j.a[i]] * j.basis_a[i];
+  return turned(j.a[i], center_pose(bodies, j.a[i]), j.basis_a[i]);
 }
 Quat frame_b(const Joints& j, const Bodies& bodies, std::uint32_t i) {
-  return j.b[i] == no_body ? j.basis_b[i] : bodies.orientation[j.b[i]] * j.basis_b[i];
+  return turned(j.b[i], center_pose(bodies, j.b[i]), j.basis_b[i]);
 }
 
-JointRows rows_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
-  const JointFrame f = frame_of(j, bodies, i);
+JointRows rows_of(const Joints& j, const JointEnds& ends, std::uint32_t i) {
+  const JointFrame f = frame_of(j, ends, i);
   JointRows rows;
   std::visit([&]<class Definition>(const Definition&) { PartsOf<Definition>::fill(f, rows); }, j.definition[i]);
   return rows;
+}
+JointRows rows_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
+  return rows_of(j, ends_of(j, bodies, i), i);
 }
 
 Real gap_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
@@ -181,10 +211,14 @@ Real gap_of(const Joints& j, const Bodies& bodies, std::uint32_t i) {
 }
 
 const Drive* drive_of(const JointDef& def) {
-  if (const auto* hinge = std::get_if<Hinge>(&def)) return &hinge->drive;
-  if (const auto* slider = std::get_if<Slider>(&def)) return &slider->drive;
-  if (const auto* muscle = std::get_if<Muscle>(&def)) return &muscle->drive;
-  return nullptr;
+  return std::visit(
+      [](const auto& d) -> const Drive* {
+        if constexpr (requires { d.drive; })
+          return &d.drive;
+        else
+          return nullptr;
+      },
+      def);
 }
 Drive* drive_of(JointDef& def) { return const_cast<Drive*>(drive_of(std::as_const(def))); }
 

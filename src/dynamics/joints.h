@@ -56,6 +56,11 @@ struct JointRows {
   Real period = 0;     // 0: never
 };
 JointRows rows_of(const Joints&, const Bodies&, std::uint32_t i);
+// The same where its bodies are, or would be, by their centres of mass; of the world, anywhere.
+struct JointEnds {
+  Pose a, b;
+};
+JointRows rows_of(const Joints&, const JointEnds&, std::uint32_t i);
 
 // How far the joint is from holding: its linear rows, and a length beyond its limit, m.
 Real gap_of(const Joints&, const Bodies&, std::uint32_t i);

@@ -82,6 +82,30 @@ struct Twist {
     return 2 * atan2(q.x, q.w);
   }
 };
+// b's axis d about that of a, u, from a's y. Only what turns d across u counts: the rate is
+// (ω × d)·(u × d) / |u × d|² = ω·(u − (u·d) d) / |u × d|².
+struct Bearing {
+  static Real period(const JointFrame&) { return Real(2 * pi); }
+  static Row row(const JointFrame& f) {
+    const Vec3 &u = f.basis_a.c0, &d = f.basis_b.c0;
+    const Real cosine = dot(u, d),
+               sine2 = max(length_squared(cross(u, d)), Real(1e-6));  // one along the other: no angle
+    return angular_row((u - d * cosine) * (-1 / sine2), 0);
+  }
+  static Real value(const JointFrame& f) {
+    return atan2(dot(f.basis_b.c0, f.basis_a.c2), dot(f.basis_b.c0, f.basis_a.c1));
+  }
+};
+struct Incline {  // between the two axes
+  static Real period(const JointFrame&) { return 0; }
+  static Row row(const JointFrame& f) {
+    const Vec3 n = cross(f.basis_a.c0, f.basis_b.c0);
+    return angular_row(length_squared(n) > 0 ? -normalize(n) : -f.basis_a.c2, 0);
+  }
+  static Real value(const JointFrame& f) {
+    return atan2(length(cross(f.basis_a.c0, f.basis_b.c0)), dot(f.basis_a.c0, f.basis_b.c0));
+  }
+};
 struct Travel {
   static Real period(const JointFrame&) { return 0; }
   static Row row(const JointFrame& f) { return linear_row(f, -f.basis_a.c0, 0); }

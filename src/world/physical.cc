@@ -182,8 +182,9 @@ void check_config(const Config& config) { check_step(name_of_step(config), surro
 // --- joints ---
 
 const char* kind_of(const JointDef& def) {
-  constexpr const char* names[] = {"bar",   "rope",  "ball",   "hinge",  "slider",
-                                   "fixed", "plane", "muscle", "pulley", "reel"};
+  constexpr const char* names[] = {"bar",    "rope",   "ball", "hinge",       "slider",  "fixed", "plane",
+                                   "muscle", "pulley", "reel", "orientation", "azimuth", "tilt",  "stroke"};
+  static_assert(std::size(names) == std::variant_size_v<JointDef>);
   return names[def.index()];
 }
 
@@ -231,6 +232,10 @@ void check_joint(const JointDef& def, const Bodies& bodies) {
   if (const auto* reel = std::get_if<Reel>(&def)) {
     const Vec3 away = reel->at_a - reel->at, across = away - reel->axis * dot(reel->axis, away);
     if (!(length(across) > reel->radius)) throw Error("reel.at_a", "lies within the axle");
+  }
+  if (const auto* azimuth = std::get_if<Azimuth>(&def)) {
+    if (length(cross(azimuth->axis, azimuth->direction)) < Real(1e-3))
+      throw Error("azimuth.direction", "lies along the axis");
   }
   if (const auto* bar = std::get_if<Bar>(&def); bar != nullptr && bar->at_a == bar->at_b) {
     throw Error("bar.at_b", "is the same point as at_a: use a ball joint");

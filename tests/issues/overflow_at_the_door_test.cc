@@ -139,11 +139,15 @@ TEST(Overflow, OfJoints) {
   try_all(Fixed{.at = {0, 1, 0}}, join);
   try_all(Plane{.at = {0, 1, 0}}, join);
   try_all(Pulley{.at_a = {3, 1, 0}, .over_a = {3, 5, 0}, .over_b = {0, 5, 0}, .at_b = {0, 1, 0}}, join);
+  try_all(Orientation{.at = {0, 1, 0}}, join);
   try_all(Reel{.at_a = {1, 5, 0}, .at = {0, 1, 0}}, join);
   for (const DriveMode mode : {DriveMode::speed, DriveMode::servo, DriveMode::spring}) {
-    const Drive drive{.mode = mode, .target = 1, .force = 10, .max_speed = 1, .stiffness = 10, .damping = 1};
+    const Drive drive{.mode = mode, .target = 1, .force = 10, .max_speed = 1, .stiffness = 10, .damping = 1, .armature = 1};
     try_all(Hinge{.at = {0, 1, 0}, .limit = {-2, 2}, .drive = drive}, join);
     try_all(Slider{.at = {0, 1, 0}, .limit = {-2, 2}, .drive = drive}, join);
+    try_all(Stroke{.at = {0, 1, 0}, .limit = {-2, 2}, .drive = drive}, join);
+    try_all(Azimuth{.at = {0, 1, 0}, .limit = {-2, 2}, .drive = drive}, join);
+    try_all(Tilt{.at = {0, 1, 0}, .limit = {1, 2}, .drive = drive}, join);
     try_all(Muscle{.at_a = {0, 2, 0}, .at_b = {0, 1, 0}, .drive = drive}, join);
     try_all(drive, [](Scene& s, const Drive& d) { s.w.set_drive(s.hinge, d); });
   }

@@ -189,7 +189,7 @@ void bind_joint(py::module_& m) {
         return drive;
       },
       [](const B& b, const OrFields<Drive>& drive) { b.get().set_drive(b.handle, drive.value); },
-      "of a hinge, slider or muscle: a copy, which may be changed and set");
+      "of a joint that has one: a copy, which may be changed and set");
 }
 
 }

@@ -255,7 +255,7 @@ class Joint:
     def alive(self) -> bool:
         """false once it was removed"""
     @property
-    def definition(self) -> Union[Bar, Rope, Ball, Hinge, Slider, Fixed, Plane, Muscle, Pulley, Reel]:
+    def definition(self) -> Union[Bar, Rope, Ball, Hinge, Slider, Fixed, Plane, Muscle, Pulley, Reel, Orientation, Azimuth, Tilt, Stroke]:
         """a copy of what it was made from, with its present drive"""
     @property
     def a(self) -> Optional[Body]:
@@ -280,7 +280,7 @@ class Joint:
         """that it exerted on its body b in the last sub-step: N and N·m about anchor b"""
     @property
     def drive(self) -> Drive:
-        """of a hinge, slider or muscle: a copy, which may be changed and set"""
+        """of a joint that has one: a copy, which may be changed and set"""
     @drive.setter
     def drive(self, value: Union[Drive, Dict[str, Any]]) -> None: ...
 
@@ -543,6 +543,8 @@ class Drive:
     """of a spring, N/m and N s/m, or N m/rad and N m s/rad"""
     rate: float
     """of a spring, at which damping does nothing: m/s or rad/s"""
+    armature: float
+    """of a spring: inertia along the coordinate alone, as of a rotor behind a gear, kg or kg m²"""
     def __init__(self, *,
         mode: Literal["off", "speed", "servo", "spring"] = ...,
         target: float = ...,
@@ -550,7 +552,8 @@ class Drive:
         max_speed: float = ...,
         stiffness: float = ...,
         damping: float = ...,
-        rate: float = ...,) -> None: ...
+        rate: float = ...,
+        armature: float = ...,) -> None: ...
     def replace(self, *,
         mode: Literal["off", "speed", "servo", "spring"] = ...,
         target: float = ...,
@@ -558,7 +561,8 @@ class Drive:
         max_speed: float = ...,
         stiffness: float = ...,
         damping: float = ...,
-        rate: float = ...,) -> Drive:
+        rate: float = ...,
+        armature: float = ...,) -> Drive:
         """A copy with other values in the named fields."""
 
 class Hinge:
@@ -742,6 +746,116 @@ class Reel:
         axis: Numbers = ...,
         radius: float = ...,
         collide: bool = ...,) -> Reel:
+        """A copy with other values in the named fields."""
+
+class Orientation:
+    """b does not turn against a, and goes where it likes"""
+    a: Optional[Body]
+    b: Optional[Body]
+    at: Array
+    """where it is shown"""
+    collide: bool
+    def __init__(self, *,
+        a: Optional[Body] = ...,
+        b: Optional[Body] = ...,
+        at: Numbers = ...,
+        collide: bool = ...,) -> None: ...
+    def replace(self, *,
+        a: Optional[Body] = ...,
+        b: Optional[Body] = ...,
+        at: Numbers = ...,
+        collide: bool = ...,) -> Orientation:
+        """A copy with other values in the named fields."""
+
+class Azimuth:
+    """the angle of a direction of b about an axis of a; 0 at creation, unwound"""
+    a: Optional[Body]
+    b: Optional[Body]
+    at: Array
+    """where it is shown"""
+    axis: Array
+    """of a"""
+    direction: Array
+    """of b, not along the axis"""
+    limit: Limit
+    drive: Drive
+    collide: bool
+    def __init__(self, *,
+        a: Optional[Body] = ...,
+        b: Optional[Body] = ...,
+        at: Numbers = ...,
+        axis: Numbers = ...,
+        direction: Numbers = ...,
+        limit: Union[Limit, Dict[str, Any]] = ...,
+        drive: Union[Drive, Dict[str, Any]] = ...,
+        collide: bool = ...,) -> None: ...
+    def replace(self, *,
+        a: Optional[Body] = ...,
+        b: Optional[Body] = ...,
+        at: Numbers = ...,
+        axis: Numbers = ...,
+        direction: Numbers = ...,
+        limit: Union[Limit, Dict[str, Any]] = ...,
+        drive: Union[Drive, Dict[str, Any]] = ...,
+        collide: bool = ...,) -> Azimuth:
+        """A copy with other values in the named fields."""
+
+class Tilt:
+    """the angle between an axis of a and a direction of b: 0…π, also in limit and drive"""
+    a: Optional[Body]
+    b: Optional[Body]
+    at: Array
+    """where it is shown"""
+    axis: Array
+    direction: Array
+    limit: Limit
+    drive: Drive
+    collide: bool
+    def __init__(self, *,
+        a: Optional[Body] = ...,
+        b: Optional[Body] = ...,
+        at: Numbers = ...,
+        axis: Numbers = ...,
+        direction: Numbers = ...,
+        limit: Union[Limit, Dict[str, Any]] = ...,
+        drive: Union[Drive, Dict[str, Any]] = ...,
+        collide: bool = ...,) -> None: ...
+    def replace(self, *,
+        a: Optional[Body] = ...,
+        b: Optional[Body] = ...,
+        at: Numbers = ...,
+        axis: Numbers = ...,
+        direction: Numbers = ...,
+        limit: Union[Limit, Dict[str, Any]] = ...,
+        drive: Union[Drive, Dict[str, Any]] = ...,
+        collide: bool = ...,) -> Tilt:
+        """A copy with other values in the named fields."""
+
+class Stroke:
+    """the way of a point of b along an axis of a, 0 at creation"""
+    a: Optional[Body]
+    b: Optional[Body]
+    at: Array
+    axis: Array
+    limit: Limit
+    drive: Drive
+    collide: bool
+    def __init__(self, *,
+        a: Optional[Body] = ...,
+        b: Optional[Body] = ...,
+        at: Numbers = ...,
+        axis: Numbers = ...,
+        limit: Union[Limit, Dict[str, Any]] = ...,
+        drive: Union[Drive, Dict[str, Any]] = ...,
+        collide: bool = ...,) -> None: ...
+    def replace(self, *,
+        a: Optional[Body] = ...,
+        b: Optional[Body] = ...,
+        at: Numbers = ...,
+        axis: Numbers = ...,
+        limit: Union[Limit, Dict[str, Any]] = ...,
+        drive: Union[Drive, Dict[str, Any]] = ...,
+        collide: bool = ...,) -> Stroke:
         """A copy with other values in the named fields."""
 
 class Gravity:
@@ -1012,7 +1126,7 @@ class World:
         sleeps: bool = ...,
         name: str = ...,) -> Body:
         """Adds a body, given by the fields of BodyDef by name."""
-    def join(self, joint: Union[Bar, Rope, Ball, Hinge, Slider, Fixed, Plane, Muscle, Pulley, Reel]) -> Joint:
+    def join(self, joint: Union[Bar, Rope, Ball, Hinge, Slider, Fixed, Plane, Muscle, Pulley, Reel, Orientation, Azimuth, Tilt, Stroke]) -> Joint:
         """Adds a joint."""
     def remove(self, handle: Union[Body, ShapeId, Joint, ForceId, SensorId]) -> None:
         """A body takes its joints, forces and sensors with it."""

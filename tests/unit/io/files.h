@@ -13,31 +13,46 @@
 
 namespace sudar_test {
 
-class Files : public testing::Test {
- protected:
-  Files() {
+class Folder {
+ public:
+  Folder() {
     std::string name = (std::filesystem::temp_directory_path() / "sudar_io_XXXXXX").string();
-    folder = mkdtemp(name.data());
+    path_ = mkdtemp(name.data());
   }
-  ~Files() override { std::filesystem::remove_all(folder); }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  Folder(const Folder&) = delete;
 
+  const std::filesystem::path& path() const { return path_; }
   std::filesystem::path write(const std::string& name, std::string_view bytes) const {
-    const std::filesystem::path path = folder / name;
+    const std::filesystem::path path = path_ / name;
     std::filesystem::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary) << bytes;
     return path;
   }
+
+ private:
+  std::filesystem::path path_;
+};
+
+class Files : public testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& name, std::string_view bytes) const { return own_.write(name, bytes); }
   io::Reading read(const std::string& name, std::string_view bytes, const io::ReadOptions& options = {}) const {
     return io::read(write(name, bytes), options);
   }
 
-  std::filesystem::path folder;
+ private:
+  const Folder own_;
+
+ protected:
+  const std::filesystem::path& folder = own_.path();
 };
 
-// All findings, a line each, without the folder.
-inline std::string text_of(const io::Reading& r) {
+// All findings from some severity on, a line each, without the folder.
+inline std::string text_of(const io::Reading& r, io::Severity least = io::Severity::note) {
   std::string text;
   for (io::Finding f : r.findings) {
+    if (f.severity < least) continue;
     f.at.file = std::filesystem::path(f.at.file).filename().string();
     text += io::text(f) + "\n";
   }

@@ -1,61 +1,25 @@
-// Small files of robots, written where a test runs and read back.
+// Small files of robots, and what was made of them.
 #pragma once
 
-#include <gtest/gtest.h>
-#include <sudar/io.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 
-namespace sudar::io {
+#include "unit/io/files.h"
 
-class Folder {
- public:
-  Folder() {
-    static int number = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            ("sudar_io_" + std::to_string(::getpid()) + "_" + std::to_string(number++));
-    std::filesystem::create_directories(path_);
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  std::filesystem::path write(const std::string& name, const std::string& text) const {
-    const std::filesystem::path file = path_ / name;
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary) << text;
-    return file;
-  }
-  const std::filesystem::path& path() const { return path_; }
+namespace sudar_test {
 
- private:
-  std::filesystem::path path_;
-};
+using io::Finding, io::Model, io::Reading, io::Severity;
 
 inline Reading read_text(const std::string& ending, const std::string& text) {
   const Folder folder;
-  return read(folder.write("file" + ending, text));
+  return io::read(folder.write("file" + ending, text));
 }
 inline Reading read_mjcf(const std::string& inside) { return read_text(".xml", "<mujoco>\n" + inside + "</mujoco>\n"); }
 inline Reading read_urdf(const std::string& inside) {
   return read_text(".urdf", "<robot name='r'>\n" + inside + "</robot>\n");
 }
 
-// All findings from some severity on, one a line.
-inline std::string told(const Reading& r, Severity least = Severity::warning) {
-  std::string all;
-  for (const Finding& f : r.findings) {
-    if (f.severity < least) continue;
-    Finding shown = f;
-    shown.at.file = std::filesystem::path(f.at.file).filename().string();
-    all.append(text(shown)).append("\n");
-  }
-  return all;
-}
-inline bool mentions(const Reading& r, const std::string& words) {
-  return told(r, Severity::note).find(words) != std::string::npos;
-}
+// A tetrahedron with three edges of length 1 along the axes, of 1/6 m³.
+inline const char* const tetrahedron_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 inline const BodyDef& body(const Model& m, const std::string& name) {
   const auto it = std::ranges::find(m.bodies, name, [](const auto& b) { return b.def.name; });

@@ -1,6 +1,6 @@
 #include "unit/io/robot_files.h"
 
-namespace sudar::io {
+namespace sudar_test {
 namespace {
 
 const std::string link(const std::string& name, const std::string& mass = "1") {
@@ -20,8 +20,8 @@ TEST(Urdf, JointsHaveTheirPlaceAxisRangeAndDamping) {
       read_urdf("<link name='world'/>" + link("a") +
                 joint_of("j", "revolute", "world", "a",
                          "<limit lower='-1' upper='2' effort='5' velocity='1'/><dynamics damping='0.5'/>"));
-  ASSERT_TRUE(r.made) << told(r);
-  EXPECT_EQ(told(r), "");
+  ASSERT_TRUE(r.made) << text_of(r, Severity::warning);
+  EXPECT_EQ(text_of(r, Severity::warning), "");
   const Hinge& h = joint<Hinge>(r.model(), "j");
   EXPECT_TRUE(h.a.null());
   EXPECT_NEAR(h.at.y, 1, 1e-9);
@@ -33,7 +33,7 @@ TEST(Urdf, JointsHaveTheirPlaceAxisRangeAndDamping) {
 
 TEST(Urdf, LinksThatAreFixedAreOneBody) {
   const Reading r = read_urdf(link("a") + link("b", "3") + joint_of("j", "fixed", "a", "b"));
-  ASSERT_TRUE(r.made) << told(r);
+  ASSERT_TRUE(r.made) << text_of(r, Severity::warning);
   ASSERT_EQ(r.model().bodies.size(), 1u);
   const BodyDef& b = r.model().bodies[0].def;
   EXPECT_NEAR(double(b.mass), 4, 1e-6);
@@ -51,11 +51,11 @@ TEST(Urdf, ALinkWithoutMassGivesItsJointToWhatItCarries) {
                 "<joint name='jy' type='prismatic'><parent link='x'/><child link='y'/><axis xyz='0 1 0'/><limit "
                 "lower='-9' upper='9' effort='1' velocity='1'/></joint>"
                 "<joint name='jt' type='continuous'><parent link='y'/><child link='base'/><axis xyz='0 0 1'/></joint>");
-  ASSERT_TRUE(r.made) << told(r);
+  ASSERT_TRUE(r.made) << text_of(r, Severity::warning);
   EXPECT_EQ(r.model().bodies.size(), 1u);
   EXPECT_EQ(count<sudar::Plane>(r.model()), 3);
   World w(r.model().config);
-  const Built built = build(r.model(), w);
+  const io::Built built = io::build(r.model(), w);
   w.set_velocity(built.bodies[0], {1, 0, 2}, {0, 3, 0});
   for (int i = 0; i < 60; ++i) w.step();
   EXPECT_NEAR(w[built.bodies[0]].pose().p.y, 0, 1e-4);  // it does not fall
@@ -67,28 +67,47 @@ TEST(Urdf, WhatIsMissingOrUnknownIsToldAndTheRestIsRead) {
       "<link name='a'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>\n"
       "<collision><geometry>\n<mesh filename='package://none/a.stl'/></geometry></collision>\n</link>\n<sensor/>");
   ASSERT_TRUE(r.made);
-  EXPECT_TRUE(mentions(r,
-                       "file.urdf:4: warning: mesh filename: the mesh \"package://none/a.stl\" is left out: there is "
-                       "no package \"none\""))
-      << told(r);
-  EXPECT_TRUE(mentions(r, "file.urdf:6: warning: sensor"));
-  EXPECT_TRUE(mentions(read_urdf(link("a") + link("b") + link("c") + joint_of("j", "continuous", "a", "b") +
-                                 joint_of("k", "continuous", "a", "c", "<mimic joint='j'/>")),
-                       "follows another joint"));
+  EXPECT_TRUE(says(r,
+                   "file.urdf:4: warning: mesh filename: the mesh \"package://none/a.stl\" is left out: there is "
+                   "no package \"none\""))
+      << text_of(r, Severity::warning);
+  EXPECT_TRUE(says(r, "file.urdf:6: warning: sensor"));
+  EXPECT_TRUE(says(read_urdf(link("a") + link("b") + link("c") + joint_of("j", "continuous", "a", "b") +
+                             joint_of("k", "continuous", "a", "c", "<mimic joint='j'/>")),
+                   "follows another joint"));
+}
+
+TEST(Urdf, MeshesLieInPackages) {
+  const Folder folder;
+  folder.write("robot/package.xml", "<package/>");
+  folder.write("robot/meshes/part.obj", tetrahedron_obj);
+  const std::string text =
+      "<robot name='r'><link name='a'><inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>"
+      "<collision><geometry><mesh filename='package://NAME/meshes/part.obj' scale='0.5 0.5 "
+      "-0.5'/></geometry></collision></link></robot>";
+  for (const std::string name : {"robot", "called_otherwise"}) {
+    std::string own = text;
+    const Reading r = io::read(folder.write("robot/a.urdf", own.replace(own.find("NAME"), 4, name)));
+    ASSERT_TRUE(r.made) << name;
+    EXPECT_EQ(text_of(r, Severity::warning), "") << name;
+    EXPECT_NEAR(body(r.model(), "a").shapes[0].shape.mass_properties().volume, 1. / 48, 1e-6);
+    EXPECT_LT(double(body(r.model(), "a").shapes[0].shape.mass_properties().center.z), 0);
+  }
 }
 
 TEST(Urdf, AnInertiaOfNoBodyIsReplacedAndTold) {
   const Reading r =
       read_urdf("<link name='a'><inertial><mass value='1'/><inertia ixx='3' iyy='1' izz='1'/></inertial></link>");
   ASSERT_TRUE(r.made);
-  EXPECT_TRUE(mentions(r, "an inertia of no body"));
+  EXPECT_TRUE(says(r, "an inertia of no body"));
   EXPECT_NEAR(double(r.model().bodies[0].def.inertia->c0.x), 5. / 3, 1e-6);
 }
 
 TEST(Urdf, WhatIsNoTreeIsRefusedWithItsLine) {
   const auto refused = [](const Reading& r, const std::string& words) {
     EXPECT_FALSE(r.made);
-    EXPECT_NE(told(r, Severity::error).find(words), std::string::npos) << told(r) << "instead of " << words;
+    EXPECT_NE(text_of(r, Severity::error).find(words), std::string::npos)
+        << text_of(r, Severity::warning) << "instead of " << words;
   };
   refused(read_urdf(link("a") + link("b")), "file.urdf:3: error: link \"b\": is a second root");
   refused(read_urdf(link("a") + link("a")), "file.urdf:3: error: link \"a\": there are two links");

@@ -2,13 +2,14 @@
 #include "unit/io/robot_files.h"
 #include "unit/random.h"
 
-namespace sudar::io {
+namespace sudar_test {
 namespace {
 
 void refused(const std::string& text, const std::string& words) {
   const Reading r = read_text(".xml", text);
   EXPECT_FALSE(r.made) << text;
-  EXPECT_NE(told(r, Severity::error).find(words), std::string::npos) << told(r) << "instead of " << words;
+  EXPECT_NE(text_of(r, Severity::error).find(words), std::string::npos)
+      << text_of(r, Severity::warning) << "instead of " << words;
 }
 
 TEST(Xml, WhatIsBrokenIsNamedByItsLine) {
@@ -33,7 +34,7 @@ TEST(Xml, WhatIsAllowedIsRead) {
       ".xml",
       "\xef\xbb\xbf<?xml version=\"1.0\"?>\n<!DOCTYPE mujoco>\n<!-- <a> -->\n<mujoco model='&lt;&#65;&#x42;&amp;'>"
       "text <![CDATA[ <b> ]]><worldbody >\n<geom\n size = '1'\n/></worldbody></mujoco>\n<!-- end -->\n");
-  ASSERT_TRUE(r.made) << told(r);
+  ASSERT_TRUE(r.made) << text_of(r, Severity::warning);
   EXPECT_EQ(r.model().name, "<AB&");
   EXPECT_EQ(r.model().bodies.size(), 1u);
 }
@@ -46,9 +47,9 @@ TEST(Xml, DamagedFilesAreReadOrRefused) {
 <joint axis="1 0 0"/><geom type="capsule" fromto="0 0 0 0.1 0.2 0.3"/><site name="s"/></body></body></worldbody><actuator><position joint="j" kp="3"/></actuator>
 <tendon><spatial range="0 1"><site site="s"/></spatial></tendon><equality><connect body1="a" anchor="0 0 0"/></equality><contact><exclude body1="a" body2="b"/></contact></mujoco>)";
   ASSERT_TRUE(read_text(".xml", whole).made);
-  sudar_test::Random random(1);
+  Random random(1);
   int made = 0, bad = 0;
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 200; ++i) {
     std::string text = whole;
     if (i % 3 == 0) text.resize(std::size_t(random.whole(0, int(text.size()) - 1)));
     for (int k = 0; k < 1 + i % 4 && !text.empty(); ++k) {
@@ -58,10 +59,10 @@ TEST(Xml, DamagedFilesAreReadOrRefused) {
     }
     const Reading r = read_text(".xml", text);
     (r.made ? made : bad) += 1;
-    EXPECT_NE(r.made.has_value(), told(r, Severity::error) != "") << text;
+    EXPECT_NE(r.made.has_value(), text_of(r, Severity::error) != "") << text;
   }
-  EXPECT_GT(made, 10);
-  EXPECT_GT(bad, 100);
+  EXPECT_GT(made, 5);
+  EXPECT_GT(bad, 50);
 }
 
 }

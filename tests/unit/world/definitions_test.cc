@@ -187,6 +187,9 @@ TEST(Definitions, Joints) {
       {"pulley.ratio", [](Scene& s) { s.w.join(Pulley{.a = s.a, .b = s.b, .ratio = 0}); }},
       {"reel.radius", [](Scene& s) { s.w.join(Reel{.b = s.b, .at_a = {0, 9, 0}, .radius = -1}); }},
       {"reel.at_a", [](Scene& s) { s.w.join(Reel{.b = s.b, .at_a = {0, Real(0.5), 0}, .radius = 1}); }},
+      {"azimuth.direction", [](Scene& s) { s.w.join(Azimuth{.a = s.a, .b = s.b, .axis = {0, 1, 0}, .direction = {0, 1, 0}}); }},
+      {"tilt.direction", [](Scene& s) { s.w.join(Tilt{.a = s.a, .b = s.b, .direction = {0, 2, 0}}); }},
+      {"stroke.drive.armature", [](Scene& s) { s.w.join(Stroke{.a = s.a, .b = s.b, .drive = {.armature = -1}}); }},
       {"rope.length", [](Scene& s) { s.w.join(Rope{.a = s.a, .length = -1}); }},
       {"bar.at_b",
        [](Scene& s) {
