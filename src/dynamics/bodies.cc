@@ -124,7 +124,8 @@ void Bodies::set_mass(std::uint32_t i, const std::optional<MassSum>& sum, std::s
     }
   }
   const Vec3d center = sum ? sum->unit.center : Vec3d{};
-  radius[i] = 0;
+  radius[i] = swing[i] = 0;
+  thickness[i] = std::numeric_limits<Real>::infinity();
   std::size_t k = 0;
   each_shape(i, [&](std::uint32_t s) {
     const Geometry& g = *geometries[k++];
@@ -134,6 +135,8 @@ void Bodies::set_mass(std::uint32_t i, const std::optional<MassSum>& sum, std::s
     shapes.center[s] = rotate(frame[i].q, convert<Real>(own - center));  // of a body's only shape 0, without rounding
     shapes.radius[s] = g.bounding_radius + length(origin - shapes.center[s]);
     radius[i] = max(radius[i], g.bounding_radius + length(origin));
+    swing[i] = max(swing[i], swing_radius(g) + length(origin));
+    thickness[i] = min(thickness[i], inner_radius(g));
   });
 }
 

@@ -44,11 +44,13 @@ Vec3d farthest(const Geometry& g, const Vec3d& d) {
 
 }
 
-Convex::Convex(const Geometry& g, const Quat& q, const Vec3d& origin)
+Convex::Convex(const Geometry& g, const Mat3d& m, const Vec3d& origin)
     : geometry(&g),
-      turn(matrix(normalize(convert<double>(q)))),
+      turn(m),
       at(origin),
       round(g.kind == ShapeKind::sphere || g.kind == ShapeKind::capsule ? double(g.radius) : 0) {}
+Convex::Convex(const Geometry& g, const Quat& q, const Vec3d& origin)
+    : Convex(g, matrix(normalize(convert<double>(q))), origin) {}
 
 Vec3d Convex::support(const Vec3d& direction) const {
   const Vec3d local{dot(turn.c0, direction), dot(turn.c1, direction), dot(turn.c2, direction)};

@@ -12,6 +12,7 @@ struct Convex {
   Vec3d at;
   double round;
 
+  Convex(const Geometry&, const Mat3d& turn, const Vec3d& at);
   Convex(const Geometry&, const Quat& turn, const Vec3d& at);
   Convex(const Geometry& g, const Transform& pose) : Convex(g, pose.q, convert<double>(pose.p)) {}
   bool thin() const { return round > 0 || geometry->kind == ShapeKind::sphere; }  // the core is a point or a segment

@@ -158,6 +158,14 @@ Real inner_radius(const Geometry& g) {
   }
 }
 
+Real swing_radius(const Geometry& g) {
+  switch (g.kind) {
+    case ShapeKind::sphere: return 0;
+    case ShapeKind::capsule: return g.half_length;  // of its core, which is what turns
+    default: return g.bounding_radius;
+  }
+}
+
 Box bounds(const Geometry& g, const Pose& pose, Real margin) {
   Vec3 low, high;
   switch (g.kind) {

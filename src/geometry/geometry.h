@@ -27,6 +27,8 @@ std::shared_ptr<const Geometry> make_geometry(Geometry&& plain);
 
 // Of a ball about the centre of mass of the geometry, wholly inside; 0 where it has none. Not for what is hollow.
 Real inner_radius(const Geometry&);
+// How far a point of the surface moves at most, per radian, when the geometry turns about its origin: of a ball not at all.
+Real swing_radius(const Geometry&);
 
 // The smallest box around the geometry at `pose`, widened by `margin`. Infinite for a half space.
 Box bounds(const Geometry&, const Pose& pose, Real margin);

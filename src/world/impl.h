@@ -11,6 +11,7 @@
 #include "collision/broad/broad.h"
 #include "collision/narrow/pairs.h"
 #include "dynamics/impulse_2007.h"
+#include "dynamics/lone_impact.h"
 #include "dynamics/soft_step.h"
 #include "dynamics/rest.h"
 #include "dynamics/sleepers.h"
@@ -98,6 +99,8 @@ struct World::Impl {
   std::vector<Pose> shape_poses;            // by shape slot, as the next one
   std::vector<const Geometry*> geometries;
   std::vector<std::uint8_t> looked_at;      // by pair: in the last stage `collide`
+  static constexpr std::uint8_t left_to_impact = 2;  // and it is no contact, since its impact is still to come
+  std::vector<std::uint32_t> coming;        // those, by key
   std::vector<std::uint32_t> touching;      // pairs that touch and can change, island after island
   std::vector<ActiveContact> active_contacts;  // the same
   std::vector<std::uint32_t> near;          // pairs with a triangle that may touch within the step, island after island
@@ -107,8 +110,10 @@ struct World::Impl {
   std::vector<Island> islands;
   double last_dt = 0;                       // of the last step
   double h = 0;                             // length of the sub-step at work, simulated s
+  std::vector<Pose> departures;             // by body slot: where what moves was before the last stage `solve`
   Impulse2007Solver impulse_2007;
   SoftStepSolver soft_step;
+  LoneImpact lone_impact;
   StepOutcome outcome;
   Events events;
   Profile profile;
@@ -176,12 +181,19 @@ struct World::Impl {
                                                  : SoftStepSolver::detects_each_substep;
   }
   int substeps() const { return sudar::substeps(config); }
+  int substeps_at_once() const { return detects_each_substep() ? 1 : substeps(); }  // that one walk over the stages makes
+  StepView view();  // what stage `solve` is given
   Real step_length() const { return Real(config.dt * double(config.time_factor)); }  // simulated s
   // Of shapes.
   Vec3 velocity_of(std::uint32_t shape) const;        // of its centre of mass
   Real contact_margin(std::uint32_t shape) const;     // how near a shape at rest is felt, m
   Real pair_margin(std::uint32_t a, std::uint32_t b) const;  // how near two must be to get a contact
   Real pair_turn(std::uint32_t a, std::uint32_t b) const;    // how far they may turn in a step, rad
+  // Share of a ball inside a shape that may come to lie behind a surface unseen: less than 1, so that its centre does not.
+  static constexpr Real unseen_share = Real(0.75);
+  // Who comes this many times as far in a (sub-)step has its impact solved at its very moment, however late that is.
+  static constexpr Real leap = 4;
+  Real unseen_depth(std::uint32_t a, std::uint32_t b) const;  // of the thinner of the two that impacts move, m
   Real smaller_radius(std::uint32_t a, std::uint32_t b) const;  // of those of the two whose bodies are dynamic
   Vec3 coming_way(std::uint32_t shape) const;
   void settle_boxes();                                // tells the broad phase of all changes

@@ -161,6 +161,27 @@ bool keep_manifold(const World::Impl& w, PairRow& row, Real margin) {
   return true;
 }
 
+// Whether two that were apart come on so fast that their impact is left to stage `impact`, which knows its moment.
+bool comes_fast(const World::Impl& w, const PairRow& row) {
+  const Bodies& b = w.bodies;
+  const auto [i, k] = w.bodies_of(row.key);
+  const Manifold& m = row.manifold;
+  const Pos origin = w.shape_poses[row.key.a].p;
+  const Real time = Real(w.h * w.substeps_at_once());
+  Real way = 0, gap = std::numeric_limits<Real>::infinity();
+  for (std::size_t n = 0; n < std::size_t(m.count); ++n) {
+    const Pos at = origin + m.points[n].at;
+    const Vec3 u = (b.velocity[i] - b.velocity[k]) + (cross(b.spin[i], at - b.position[i]) - cross(b.spin[k], at - b.position[k]));
+    way = max(way, -dot(u, m.normal) * time);
+    gap = min(gap, m.points[n].separation);
+  }
+  if (!(way > gap)) return false;
+  // Turned by so much, a body is not where a contact thinks that aims at the middle of the sub-step (curving.h).
+  const bool whirls = w.detects_each_substep() && row.row == no_row && length(b.spin[i] - b.spin[k]) * time > Real(0.75);
+  const Real unseen = w.unseen_depth(row.key.a, row.key.b);
+  return (whirls && gap > -unseen) || (gap > 0 && way > World::Impl::leap * unseen);
+}
+
 void collide(World::Impl& w, std::uint32_t p) {
   PairWatch& watch = w.pairs.watches()[p];
   const std::uint32_t a = watch.a, b = watch.b;
@@ -174,6 +195,10 @@ void collide(World::Impl& w, std::uint32_t p) {
                                   {margin, w.pair_turn(a, b)});
   constexpr double sure = 0.999;  // more than rounding takes away
   watch.until = apart < 0 ? -1 : way + sure * double(apart);
+  if (row.manifold.count == 0 || !comes_fast(w, row)) return;
+  row.manifold.count = 0;
+  row.manifold.bits = row.row != no_row ? std::uint32_t(Manifold::ended) : 0;
+  w.looked_at[p] = World::Impl::left_to_impact;
 }
 
 }
@@ -187,12 +212,14 @@ void collide(World::Impl& w) {
   wake_carried(w);
   std::vector<std::uint32_t> round = w.pairs.settle([&](const ProxyPair& key) { return can_change(b, w.bodies_of(key)); });
   w.looked_at.assign(w.pairs.rows().size(), 0);
+  w.coming.clear();
   thin_crowds(w, round);
   while (!round.empty()) {
     w.pool->for_ranges(std::uint32_t(round.size()), 16, [&](std::uint32_t, std::uint32_t first, std::uint32_t end) {
       for (std::uint32_t k = first; k < end; ++k) collide(w, round[k]);
     });
     for (const std::uint32_t p : round) {
+      if (w.looked_at[p] == World::Impl::left_to_impact) w.coming.push_back(p);
       if (w.looked_at[p] != 0 && touching(w.pairs[p])) wake_sides(w, w.pairs[p].key);
     }
     round = w.pairs.take_activated();
@@ -242,7 +269,7 @@ std::vector<std::uint32_t> near_rows(const World::Impl& w) {
   if (w.detects_each_substep() || w.meshes.empty()) return near;
   for (const std::uint32_t r : w.pairs.active()) {
     const PairRow& row = w.pairs[r];
-    if (row.part == no_part || touching(row)) continue;
+    if (row.part == no_part || touching(row) || w.looked_at[r] == World::Impl::left_to_impact) continue;
     const auto [a, b] = w.bodies_of(row.key);
     if (w.bodies.awake(a) || w.bodies.awake(b)) near.push_back(r);
   }
@@ -346,23 +373,11 @@ void solve(World::Impl& w) {
   StepOutcome& outcome = w.outcome;
   outcome.hits.clear(), outcome.broken.clear();
   outcome.points = 0;
-  const StepView view{.config = w.config,
-                      .h = Real(w.h),
-                      .substeps = w.detects_each_substep() ? 1 : w.substeps(),
-                      .forces = w.forces,
-                      .islands = w.islands,
-                      .awake = w.awake,
-                      .contacts = w.active_contacts,
-                      .near = w.near_contacts,
-                      .joints = w.active_joints,
-                      .smooth = w.smooth,
-                      .kinematic = w.kinematic,
-                      .geometries = w.geometries,
-                      .bodies = w.bodies,
-                      .joint_state = w.joints,
-                      .joint_graph = w.joint_graph,
-                      .contact_state = w.contacts,
-                      .pool = *w.pool};
+  w.departures.resize(w.bodies.size());
+  for (const std::vector<std::uint32_t>* moving : {&w.awake, &w.kinematic}) {
+    for (const std::uint32_t i : *moving) w.departures[i] = w.bodies.center_pose(i);
+  }
+  const StepView view = w.view();
   switch (w.config.solver) {
     case Solver::impulse_2007: w.impulse_2007.advance(view, outcome); break;
     case Solver::soft_step: w.soft_step.advance(view, outcome); break;
@@ -398,7 +413,7 @@ void refit(World::Impl& w) {
 // on: in a weak field it only begins to fall.
 void sleep(World::Impl& w) {
   Bodies& b = w.bodies;
-  const double advanced = w.detects_each_substep() ? w.h : w.h * w.substeps();
+  const double advanced = w.h * w.substeps_at_once();
   watch_rest(b, w.awake, w.config.length_unit, Real(advanced));
   if (!w.config.sleep || w.awake.empty()) return;
   HeldByFaces& held = w.held_by_faces;
@@ -460,7 +475,7 @@ void World::Impl::step(double dt) {
   for (const Stage& stage : stages) profile.stages.push_back({stage.name, 0});
   last_dt = dt;
   h = around.sub_step;  // thesis (3.4)
-  const int rounds = detects_each_substep() ? substeps() : 1;
+  const int rounds = substeps() / substeps_at_once();
   for (int n = 0; n < rounds; ++n) {
     for (std::size_t s = 0; s < std::size(stages); ++s) {
       const Timer timer;

@@ -10,6 +10,7 @@ void find_pairs(World::Impl&);
 void collide(World::Impl&);
 void link(World::Impl&);
 void solve(World::Impl&);
+void meet_fast(World::Impl&);
 void refit(World::Impl&);
 void sleep(World::Impl&);
 
@@ -23,6 +24,7 @@ inline constexpr Stage stages[] = {
     {"collide", collide},   // pairs, poses → manifolds, begin and end bits
     {"link", link},         // bits in pair order → events, islands, contact rows
     {"solve", solve},       // contacts, joints, forces → velocities, poses
+    {"impact", meet_fast},  // ways of fast bodies → what they meet on them, velocities, poses
     {"refit", refit},       // poses → fat boxes, move list
     {"sleep", sleep},       // quiet islands stop
 };

@@ -15,6 +15,26 @@ Material World::Impl::pair_material(const ProxyPair& key) const {
   return mix(config, bodies.shapes.material[key.a], bodies.shapes.material[key.b]);
 }
 
+StepView World::Impl::view() {
+  return {.config = config,
+          .h = Real(h),
+          .substeps = substeps_at_once(),
+          .forces = forces,
+          .islands = islands,
+          .awake = awake,
+          .contacts = active_contacts,
+          .near = near_contacts,
+          .joints = active_joints,
+          .smooth = smooth,
+          .kinematic = kinematic,
+          .geometries = geometries,
+          .bodies = bodies,
+          .joint_state = joints,
+          .joint_graph = joint_graph,
+          .contact_state = contacts,
+          .pool = *pool};
+}
+
 void World::Impl::settle_boxes() {
   if (changed.empty()) return;
   std::sort(changed.begin(), changed.end());
@@ -51,6 +71,14 @@ Real World::Impl::pair_turn(std::uint32_t a, std::uint32_t b) const {
   constexpr Real most = Real(0.25);
   const Real way = length(velocity_of(a) - velocity_of(b)) * step_length();
   return min(most, length(bodies.spin[body_of(a)] - bodies.spin[body_of(b)]) * step_length() + way / smaller_radius(a, b));
+}
+
+Real World::Impl::unseen_depth(std::uint32_t a, std::uint32_t b) const {
+  Real least = std::numeric_limits<Real>::infinity();
+  for (const std::uint32_t s : {a, b}) {
+    if (bodies.dynamic(body_of(s))) least = min(least, inner_radius(geometry_of(s)));
+  }
+  return unseen_share * least;
 }
 
 Real World::Impl::smaller_radius(std::uint32_t a, std::uint32_t b) const {

@@ -259,7 +259,7 @@ TEST(Profile, NamesTheStagesAndCounts) {
   }
   EXPECT_LE(sum, whole);
   EXPECT_LE(p.collision.microseconds + p.contact.microseconds, sum);
-  EXPECT_EQ(names, "pairs collide link solve refit sleep ");
+  EXPECT_EQ(names, "pairs collide link solve impact refit sleep ");
   EXPECT_EQ(p.contacts, 1);
   EXPECT_EQ(p.points, 4);
   EXPECT_EQ(p.awake, 1);
