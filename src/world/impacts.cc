@@ -8,6 +8,7 @@
 // happens first is solved first.
 #include <algorithm>
 
+#include "base/room.h"
 #include "collision/narrow/moment.h"
 #include "dynamics/integrate.h"
 #include "geometry/triangle_mesh.h"
@@ -66,22 +67,28 @@ void keep_one_of_each(std::vector<Meeting>& meetings) {
 class Impacts {
  public:
   Impacts(World::Impl& w, std::span<const std::uint32_t> fast)
-      : w_(w),
-        b_(w.bodies),
-        end_(w.h * w.substeps_at_once()),
-        number_(w.bodies.size(), none),
-        came_(w.bodies.size(), 0) {
+      : w_(w), b_(w.bodies), end_(w.h * w.substeps_at_once()), places_(w.impact_places) {
+    make_room(places_, w.bodies.size());
     for (const std::vector<std::uint32_t>* moving : {&w.awake, &w.kinematic}) {
-      for (const std::uint32_t i : *moving) came_[i] = 1;
+      for (const std::uint32_t i : *moving) places_[i].came = true;
     }
     for (const std::uint32_t i : fast) movers_[mover(i)].fast = true;
     fast_ = std::uint32_t(movers_.size());
     for (const std::vector<std::uint32_t>* moving : {&w.awake, &w.kinematic}) {
       for (const std::uint32_t i : *moving) {
-        if (number_[i] == none) widen(i);
+        if (!places_[i].is_mover) widen(i);
       }
     }
   }
+
+  ~Impacts() {
+    for (const Mover& m : movers_) places_[m.body] = {};
+    for (const std::vector<std::uint32_t>* moving : {&w_.awake, &w_.kinematic}) {
+      for (const std::uint32_t i : *moving) places_[i] = {};
+    }
+  }
+  Impacts(const Impacts&) = delete;
+  Impacts& operator=(const Impacts&) = delete;
 
   void run() {
     std::vector<Meeting> fresh;
@@ -107,8 +114,6 @@ class Impacts {
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffffu;
-
   // How far what is not fast came at most: its box is where it departed.
   void widen(std::uint32_t i) {
     const Real turn = length(b_.spin[i]) * Real(end_) * b_.swing[i];
@@ -116,12 +121,13 @@ class Impacts {
   }
 
   std::uint32_t mover(std::uint32_t i) {
-    if (number_[i] != none) return number_[i];
-    number_[i] = std::uint32_t(movers_.size());
+    ImpactPlace& place = places_[i];
+    if (place.is_mover) return place.mover;
+    place.is_mover = true, place.mover = std::uint32_t(movers_.size());
     Mover& m = movers_.emplace_back();
     m.body = i;
     m.end = b_.center_pose(i);
-    const bool came = came_[i] != 0;
+    const bool came = place.came;
     m.held = w_.joint_graph.count(i) > 0;
     const Pose start = came ? w_.departures[i] : m.end;
     const Vec3 spin = came ? b_.spin[i] : Vec3{};
@@ -131,7 +137,7 @@ class Impacts {
     const bool alone = came && b_.dynamic(i) && !w_.islands[w_.island_of[i]].linked;
     m.turns_freely = alone || (w_.detects_each_substep() && !m.held);
     m.velocity_at = end_ - w_.h / 2;
-    return number_[i];
+    return place.mover;
   }
 
   // What moves least of a body that hangs on joints: its centre or what is tied. About that it turns.
@@ -186,7 +192,7 @@ class Impacts {
       for (const std::uint32_t s : near_) {
         if (!b_.shapes.slots.used(s)) continue;
         const std::uint32_t other = w_.body_of(s);
-        if (other == body || (number_[other] != none && movers_[number_[other]].fast)) continue;
+        if (other == body || (places_[other].is_mover && movers_[places_[other].mover].fast)) continue;
         if (!can_meet(body, other)) continue;
         const std::uint32_t o = mover(other);
         b_.each_shape(body, [&](std::uint32_t own) { pair_up(m, own, o, s, begin, out); });
@@ -387,7 +393,7 @@ class Impacts {
     const std::uint32_t i = m.body;
     const Shown before{{b_.position[i], b_.orientation[i], b_.velocity[i], b_.angular_momentum[i]}, m.velocity_at};
     if (!b_.dynamic(i)) {
-      if (came_[i] != 0)
+      if (places_[i].came)
         b_.position[i] = m.course.center(time), b_.orientation[i] = convert<Real>(m.course.orientation(time));
       return before;
     }
@@ -500,8 +506,7 @@ class Impacts {
   Bodies& b_;
   double end_;  // of the time that was solved, s
   Real slow_way_ = 0;
-  std::vector<std::uint32_t> number_;  // of the mover, by body slot
-  std::vector<std::uint8_t> came_;     // by body slot: whether it moved when the step was solved
+  std::vector<ImpactPlace>& places_;   // by body slot
   std::vector<Mover> movers_;          // those that were fast from the beginning first
   std::uint32_t fast_;
   std::vector<Meeting> meetings_, coming_;  // coming: those that stage `collide` left

@@ -49,6 +49,13 @@ struct TouchBefore {
   bool touching;
 };
 
+// A body while stage `impact` is at work.
+struct ImpactPlace {
+  std::uint32_t mover = 0;  // its number, if it is one
+  bool is_mover = false;
+  bool came = false;        // it moved when the step was solved
+};
+
 // From 1 to Handle::worlds − 1, each call the next.
 std::uint32_t new_world_number();
 
@@ -110,6 +117,7 @@ struct World::Impl {
   std::vector<Island> islands;
   double last_dt = 0;                       // of the last step
   double h = 0;                             // length of the sub-step at work, simulated s
+  std::vector<ImpactPlace> impact_places;   // by body slot; as made outside stage `impact`
   std::vector<Pose> departures;             // by body slot: where what moves was before the last stage `solve`
   Impulse2007Solver impulse_2007;
   SoftStepSolver soft_step;

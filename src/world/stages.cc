@@ -373,7 +373,7 @@ void solve(World::Impl& w) {
   StepOutcome& outcome = w.outcome;
   outcome.hits.clear(), outcome.broken.clear();
   outcome.points = 0;
-  w.departures.resize(w.bodies.size());
+  make_room(w.departures, w.bodies.size());
   for (const std::vector<std::uint32_t>* moving : {&w.awake, &w.kinematic}) {
     for (const std::uint32_t i : *moving) w.departures[i] = w.bodies.center_pose(i);
   }
