@@ -27,6 +27,8 @@ target_compile_options(sudar_warnings INTERFACE ${warnings})
 # Outside src/ and include/ a user may write 0.8 for a Real. (For clang the exception must follow -Wconversion.)
 add_library(sudar_user_warnings INTERFACE)
 target_compile_options(sudar_user_warnings INTERFACE ${warnings} ${no_float_warning})
+# What takes time while it runs is the engine, which keeps its flags; all else is compiled for longer than it computes.
+target_compile_options(sudar_user_warnings INTERFACE $<$<CONFIG:Release>:-O1>)
 if(SUDAR_QUICK_BUILD)
   target_compile_options(sudar_user_warnings INTERFACE -O0)
 endif()
